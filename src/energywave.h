@@ -1,0 +1,295 @@
+/*
+ * EnergyWave: light that glows out of a continuous field of energy, as a drop-in effect for OpenGL.
+ *
+ * The field at a point P is
+ *
+ *     psi(P) = sum over the sources of  coefficient * weight / max(epsilon, distance(P, source))
+ *
+ * and every pixel is its line integral along the view ray, with a decay that dims what is far:
+ *
+ *     B = integral from 0 to s_max of  psi(L(s)) * alpha / (s + beta)^2  ds
+ *
+ * L(s) = S + s (E - S), where S lies at view depth `interval_start` and E at `interval_end` on the ray through the pixel's
+ * centre; s_max is where the ray meets the host's opaque scene, at most 1. (Watanabe, Abe, Konno: "Real-Time Rendering
+ * Technique for Visual Expression of Arbitrary-Shaped Energy Wave", equations (2), (3), (7), (13), (17), (18), (20), (21);
+ * the floor `epsilon` is ours.) With alpha = beta = 1 and E twice as far away as S, the decay is exactly the inverse square
+ * of the distance from the eye, scaled to 1 at S.
+ *
+ * The whole integral is computed in the fragment shader of one screen-covering quad, for any number of sources in one pass.
+ *
+ *     ew_effect *effect;
+ *     ew_create_effect(&(ew_effect_desc){.get_proc_address = my_loader}, &effect, NULL);
+ *     ew_set_sources(effect, &(ew_sources_desc){.points = &orb, .point_count = 1, .epsilon = 1e-3}, NULL);
+ *     ew_frame_desc frame = EW_FRAME_DEFAULTS;                    // every frame, after the opaque scene:
+ *     ...                                                         // camera, interval, target, opaque depth
+ *     ew_draw(effect, &frame, NULL);
+ *     ew_destroy_effect(effect);
+ *
+ * Space and units. Sources live in the host's world space. Lengths are world units, in double precision: sources and camera
+ * are brought together before anything becomes a float, so a world far from its origin costs no accuracy. Colours are linear
+ * RGB. Matrices are column-major, for column vectors, as in OpenGL. View space looks along -z; *view depth* is -z there.
+ *
+ * Errors. Every function that can fail returns an `ew_result` and takes an `ew_error` that may be NULL; on failure the error
+ * holds the same code and a sentence that names the field and says what to mend. A failed call changes nothing: neither the
+ * effect, nor GL state, nor the picture. The library never prints and never aborts.
+ *
+ * Threads. An effect belongs to the context in which it was created. Any function that takes one must be called on the thread
+ * on which that context (or one that shares its objects) is current, one call at a time. Different effects are independent.
+ * The functions without an effect are pure.
+ *
+ * GL. The library creates no context and links no GL. It needs OpenGL 3.3 core or OpenGL ES 3.0. Each call leaves all GL state
+ * as it found it.
+ */
+#ifndef ENERGYWAVE_H
+#define ENERGYWAVE_H
+
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#if defined(EW_STATIC)
+#define EW_API
+#elif defined(_WIN32) && defined(EW_BUILD)
+#define EW_API __declspec(dllexport)
+#elif defined(_WIN32)
+#define EW_API __declspec(dllimport)
+#else
+#define EW_API __attribute__((visibility("default")))
+#endif
+
+#define EW_VERSION_MAJOR 0
+#define EW_VERSION_MINOR 1
+#define EW_VERSION_PATCH 0
+
+/* The most sources of a kind that an effect takes. A context whose uniform blocks are smaller than 64 KiB (the least that GL
+ * and GLES promise is 16 KiB) takes fewer, in proportion; the error says how many. */
+#define EW_MAX_POINTS 1024
+#define EW_MAX_LINES 1024
+#define EW_MAX_TORI 1024
+#define EW_MAX_CURVES 512
+/* The most weights of one curve, and the most polynomial pieces that the weights of all curves may make together: a curve
+ * with n weights makes n - 2 pieces, at least one. */
+#define EW_MAX_WEIGHTS 1024
+#define EW_MAX_WEIGHT_PIECES 4096
+
+/* The largest number of divisions that EW_INTEGRATOR_SIMPSON takes. */
+#define EW_MAX_SIMPSON_DIVISIONS 4096
+
+/* Results and what they mean: EW_RESULTS(X) expands X(name, text) for each; the texts are ew_result_text's. */
+#define EW_RESULTS(X)                                                                                                          \
+    X(EW_OK, "success")                                                                                                        \
+    X(EW_ERROR_INVALID_ARGUMENT, "a parameter is outside its range")                                                           \
+    X(EW_ERROR_TOO_MANY_SOURCES, "more sources than the effect can hold")                                                      \
+    X(EW_ERROR_OUT_OF_MEMORY, "memory is exhausted")                                                                           \
+    X(EW_ERROR_MISSING_FUNCTION, "the loader does not know a GL function that is needed")                                      \
+    X(EW_ERROR_UNSUPPORTED_CONTEXT, "the context is older than OpenGL 3.3 or OpenGL ES 3.0, or none is current")               \
+    X(EW_ERROR_SHADER, "the driver refused a shader")                                                                          \
+    X(EW_ERROR_OPENGL, "OpenGL reported an error")
+
+typedef enum ew_result {
+#define EW_RESULT_NAME(name, text) name,
+    EW_RESULTS(EW_RESULT_NAME)
+#undef EW_RESULT_NAME
+} ew_result;
+
+/* What went wrong: the code that the call returned and one sentence, without a newline. Left alone by calls that succeed. */
+typedef struct ew_error {
+    ew_result code;
+    char text[240];
+} ew_error;
+
+/* The general meaning of `result`: a static string, never NULL. */
+EW_API const char *ew_result_text(ew_result result);
+
+/* ---- Sources ------------------------------------------------------------------------------------------------------------
+ * In each: `coefficient` is the energy coefficient of equation (18), finite and >= 0; `color` is what the source's light
+ * looks like where B = 1, linear RGB, finite and >= 0. */
+
+/* d(P) = |P - position|: equation (2). */
+typedef struct ew_point {
+    double position[3];
+    double coefficient;
+    double color[3];
+} ew_point;
+
+/* d(P) = distance to the infinite line through `position` along `direction`: equation (3). `direction` need not be unit, but
+ * not zero. */
+typedef struct ew_line {
+    double position[3];
+    double direction[3];
+    double coefficient;
+    double color[3];
+} ew_line;
+
+/* d(P) = distance to the circle of `radius` >= 0 about `center`, in the plane that `axis` is normal to: equation (7). `axis`
+ * need not be unit, but not zero. */
+typedef struct ew_torus {
+    double center[3];
+    double axis[3];
+    double radius;
+    double coefficient;
+    double color[3];
+} ew_torus;
+
+/* d(P) = distance to the nearest point of the arc C(t) = polynomial[2] t^2 + polynomial[1] t + polynomial[0] with t in
+ * [domain[0], domain[1]], the ends included: equations (8) to (13). domain[0] < domain[1]. The arc may be straight, folded
+ * back on itself, or a single point.
+ *
+ * `weights` makes the arc brighter and darker along its length: equations (14) to (17). NULL with a count of 0: the same
+ * everywhere. 1 weight is a constant, 2 are a linear ramp; from 3 on they are the control values of the clamped uniform
+ * quadratic B-spline, taken at the nearest point's t. Each is finite and >= 0. Weight i is strongest at its Greville abscissa,
+ * the mean of the knots i + 1 and i + 2 of (16), not at i / (n - 1) as the paper has it. The array is copied. */
+typedef struct ew_curve {
+    double polynomial[3][3];
+    double domain[2];
+    const double *weights;
+    size_t weight_count;
+    double coefficient;
+    double color[3];
+} ew_curve;
+
+/* The polynomial of the quadratic Bezier with the given control points, on the domain [0, 1]: equation (10). */
+EW_API void ew_bezier_polynomial(double control_points[3][3], double polynomial[3][3]);
+
+/* Fills `weights[0..count)` with the pulse that travels along a curve as the `frame` number grows: thesis (5.1). Weight i
+ * wakes at frame 7 i, peaks at 1 25 frames later and is dark again at 7 i + 50; `frame` may be fractional. Outside of its
+ * time, a weight is 0 (theta' = 0 makes (5.1) negative, and its clamp makes that 0). Does nothing if `weights` is NULL. */
+EW_API void ew_fill_pulse_weights(double frame, double *weights, size_t count);
+
+/* The field: lists of sources (NULL with a count of 0 for none; none at all is an empty field, and draws nothing) and the
+ * floor under all distances, `epsilon` > 0: the radius of the cores inside which the field stays constant. */
+typedef struct ew_sources_desc {
+    const ew_point *points;
+    size_t point_count;
+    const ew_line *lines;
+    size_t line_count;
+    const ew_torus *tori;
+    size_t torus_count;
+    const ew_curve *curves;
+    size_t curve_count;
+    double epsilon;
+} ew_sources_desc;
+
+/* ---- Effect ------------------------------------------------------------------------------------------------------------- */
+
+typedef struct ew_effect ew_effect;
+
+typedef void (*ew_gl_function)(void);
+
+typedef struct ew_effect_desc {
+    /* Returns the GL function called `name` of the current context, or NULL: eglGetProcAddress, glfwGetProcAddress,
+     * SDL_GL_GetProcAddress or OSMesaGetProcAddress in a one-line wrapper. Called during ew_create_effect only. */
+    ew_gl_function (*get_proc_address)(void *user, const char *name);
+    void *user; /* handed to get_proc_address */
+} ew_effect_desc;
+
+/* Creates an effect with no sources for the current context.
+ *
+ * desc:   must not be NULL, nor its get_proc_address.
+ * effect: receives the effect, to be given to ew_destroy_effect; left alone on failure.
+ * Errors: INVALID_ARGUMENT, OUT_OF_MEMORY, MISSING_FUNCTION, UNSUPPORTED_CONTEXT, OPENGL.
+ * GL:     the context must be current. Creates buffers and a vertex array; leaves all state as it was. */
+EW_API ew_result ew_create_effect(const ew_effect_desc *desc, ew_effect **effect, ew_error *error);
+
+/* Replaces the effect's sources. All is copied.
+ *
+ * Errors: INVALID_ARGUMENT (the text names the field, such as "curves[2].domain"), TOO_MANY_SOURCES, OUT_OF_MEMORY; the old
+ *         sources stay.
+ * GL:     none is called. */
+EW_API ew_result ew_set_sources(ew_effect *effect, const ew_sources_desc *sources, ew_error *error);
+
+/* Destroys the effect and its GL objects. `effect` may be NULL.
+ * GL:     the context must be current; leaves all state as it was. */
+EW_API void ew_destroy_effect(ew_effect *effect);
+
+/* ---- Frame -------------------------------------------------------------------------------------------------------------- */
+
+/* How NDC depth spans the depth buffer: [-1, 1], OpenGL's own, or [0, 1], as after glClipControl(..., GL_ZERO_TO_ONE). */
+typedef enum ew_clip_depth {
+    EW_CLIP_DEPTH_NEGATIVE_ONE_TO_ONE,
+    EW_CLIP_DEPTH_ZERO_TO_ONE,
+} ew_clip_depth;
+
+typedef enum ew_integrator {
+    EW_INTEGRATOR_ADAPTIVE, /* ours: the host chooses the error */
+    EW_INTEGRATOR_SIMPSON,  /* the papers': (23), with `simpson_divisions` n and n + 1 samples */
+} ew_integrator;
+
+/* The largest relative error of B that EW_INTEGRATOR_ADAPTIVE keeps, relative to max(B, 1e-3 of the image's largest B). */
+typedef enum ew_quality {
+    EW_QUALITY_ERROR_1E_2,
+    EW_QUALITY_ERROR_1E_3,
+    EW_QUALITY_ERROR_1E_4,
+} ew_quality;
+
+/* What becomes of B and of the target's colour Cb; B_i is the share of source i. */
+typedef enum ew_output {
+    /* C = max(0, 1 - B) Cb + sum B_i color_i: thesis (4.8), the background's weight kept from going negative. The target's
+     * alpha A becomes max(0, 1 - B) A + min(1, B): premultiplied "over". An 8-bit target clips, which is the papers'
+     * white-out; a float target stays HDR. */
+    EW_OUTPUT_LERP,
+    /* C = Cb + sum B_i color_i. The target's alpha is left alone. */
+    EW_OUTPUT_ADD,
+    /* B itself, in the red channel, blended with nothing. For tone mapping of one's own, and for tests. */
+    EW_OUTPUT_LUMINANCE,
+    /* How often the shader evaluated the distance to a source for this pixel, in the red channel. For profiling. */
+    EW_OUTPUT_EVALUATIONS,
+} ew_output;
+
+/* One frame. Start from EW_FRAME_DEFAULTS and set the camera, the interval and the target. */
+typedef struct ew_frame_desc {
+    /* World to view: a rotation and a translation (no scale, no shear). */
+    double view[16];
+    /* View to clip: any perspective or parallel projection, off-axis, jittered, oblique, reversed or infinite. */
+    double projection[16];
+    ew_clip_depth clip_depth;
+
+    /* View depths of S and E: start < end, both finite; start > 0 for a perspective projection. */
+    double interval_start;
+    double interval_end;
+    /* (21): alpha >= 0, beta > 0. */
+    double decay_alpha;
+    double decay_beta;
+
+    ew_integrator integrator;
+    ew_quality quality;
+    int simpson_divisions; /* even, 2 .. EW_MAX_SIMPSON_DIVISIONS */
+
+    ew_output output;
+    /* Where to draw: a framebuffer of the current context (0 is the window's) and the rectangle of it, in pixels, that the
+     * projection's NDC square covers; its lower left corner and its size, which must be > 0. */
+    unsigned framebuffer;
+    int viewport_x;
+    int viewport_y;
+    int viewport_width;
+    int viewport_height;
+
+    /* The opaque scene's depth: a single-sampled 2D texture with a depth (or depth-stencil) format, written with `projection`
+     * and the default depth range, texel for pixel under the framebuffer; 0 for none. It must not be attached to
+     * `framebuffer`: GL leaves reading it while drawing there undefined. */
+    unsigned depth_texture;
+} ew_frame_desc;
+
+#define EW_FRAME_DEFAULTS                                                                                                      \
+    {                                                                                                                          \
+        .view = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1},                                                              \
+        .projection = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1, -1, 0, 0, -0.2, 0}, .clip_depth = EW_CLIP_DEPTH_NEGATIVE_ONE_TO_ONE,  \
+        .interval_start = 0.1, .interval_end = 100, .decay_alpha = 1, .decay_beta = 1, .integrator = EW_INTEGRATOR_ADAPTIVE,   \
+        .quality = EW_QUALITY_ERROR_1E_3, .simpson_divisions = 200, .output = EW_OUTPUT_LERP, .framebuffer = 0,                \
+        .viewport_x = 0, .viewport_y = 0, .viewport_width = 0, .viewport_height = 0, .depth_texture = 0                        \
+    }
+
+/* Draws the effect over what the framebuffer holds.
+ *
+ * Errors: INVALID_ARGUMENT, OUT_OF_MEMORY, SHADER, OPENGL (an incomplete framebuffer, say).
+ * GL:     the context must be current. The first draw of a new mix of source kinds, integrator, output and depth compiles a
+ *         shader. Leaves all state as it was; changes only the framebuffer's colour (its first draw buffer). */
+EW_API ew_result ew_draw(ew_effect *effect, const ew_frame_desc *frame, ew_error *error);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
