@@ -1,0 +1,212 @@
+/* Loading the host's GL functions. */
+#include "gl.h"
+
+#include "error.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+typedef struct loader {
+    ew_gl_function (*get_proc_address)(void *user, const char *name);
+    void *user;
+    char missing[128]; /* the names of functions not found, as many as fit */
+    int missing_count;
+} loader;
+
+static ew_gl_function load_function(loader *loader, const char *name, const char *suffix)
+{
+    char full_name[64];
+    snprintf(full_name, sizeof full_name, "gl%s%s", name, suffix);
+    ew_gl_function function = loader->get_proc_address(loader->user, full_name);
+    if (function == NULL) {
+        size_t length = strlen(loader->missing), space = sizeof loader->missing - length;
+        const char *separator = length == 0 ? "" : ", ";
+        if (strlen(separator) + strlen(full_name) < space)
+            snprintf(loader->missing + length, space, "%s%s", separator, full_name);
+        loader->missing_count++;
+    }
+    return function;
+}
+
+#define LOAD(type, name) gl->name = (type)load_function(loader, #name, suffix);
+
+static void load_functions(ew_gl *gl, loader *loader)
+{
+    const char *suffix = "";
+    EW_GL_FUNCTIONS(LOAD)
+}
+
+static void load_indexed_mask(ew_gl *gl, loader *loader, const char *suffix)
+{
+    EW_GL_INDEXED_MASK_FUNCTIONS(LOAD)
+}
+
+static void load_indexed_blend(ew_gl *gl, loader *loader, const char *suffix)
+{
+    EW_GL_INDEXED_BLEND_FUNCTIONS(LOAD)
+}
+
+static void load_viewport_array(ew_gl *gl, loader *loader, const char *suffix)
+{
+    EW_GL_VIEWPORT_ARRAY_FUNCTIONS(LOAD)
+}
+
+static void load_pipeline(ew_gl *gl, loader *loader, const char *suffix)
+{
+    EW_GL_PIPELINE_FUNCTIONS(LOAD)
+}
+
+static void load_transform_feedback(ew_gl *gl, loader *loader, const char *suffix)
+{
+    EW_GL_TRANSFORM_FEEDBACK_FUNCTIONS(LOAD)
+}
+
+static void load_desktop(ew_gl *gl, loader *loader, const char *suffix)
+{
+    EW_GL_DESKTOP_FUNCTIONS(LOAD)
+}
+
+static void load_compatibility(ew_gl *gl, loader *loader, const char *suffix)
+{
+    EW_GL_COMPATIBILITY_FUNCTIONS(LOAD)
+}
+
+#undef LOAD
+
+static bool has_extension(const ew_gl *gl, const char *name)
+{
+    GLint count = 0;
+    gl->GetIntegerv(GL_NUM_EXTENSIONS, &count);
+    for (GLint i = 0; i < count; i++) {
+        const char *extension = (const char *)gl->GetStringi(GL_EXTENSIONS, (GLuint)i);
+        if (extension && strcmp(extension, name) == 0) return true;
+    }
+    return false;
+}
+
+/* What brings a group of functions: a version (NEVER for none), or an extension, whose names end in `suffix`. */
+enum { NEVER = 1000 };
+
+typedef struct source {
+    bool es;
+    int version;
+    const char *extension;
+    const char *suffix;
+} source;
+
+static const struct group {
+    void (*load)(ew_gl *gl, loader *loader, const char *suffix);
+    source sources[4];
+} groups[] = {
+    {load_indexed_mask,
+     {{false, 30, NULL, ""},
+      {true, 32, NULL, ""},
+      {true, NEVER, "GL_OES_draw_buffers_indexed", "OES"},
+      {true, NEVER, "GL_EXT_draw_buffers_indexed", "EXT"}}},
+    {load_indexed_blend,
+     {{false, 40, "GL_ARB_draw_buffers_blend", "ARB"},
+      {true, 32, NULL, ""},
+      {true, NEVER, "GL_OES_draw_buffers_indexed", "OES"},
+      {true, NEVER, "GL_EXT_draw_buffers_indexed", "EXT"}}},
+    {load_viewport_array, {{false, 41, "GL_ARB_viewport_array", ""}, {true, NEVER, "GL_OES_viewport_array", "OES"}}},
+    {load_pipeline, {{false, 41, "GL_ARB_separate_shader_objects", ""}, {true, 31, "GL_EXT_separate_shader_objects", "EXT"}}},
+    {load_transform_feedback, {{false, 40, "GL_ARB_transform_feedback2", ""}, {true, 30, NULL, ""}}},
+    {load_desktop, {{false, 30, NULL, ""}}},
+};
+
+static void load_groups(ew_gl *gl, loader *loader)
+{
+    for (size_t i = 0; i < sizeof groups / sizeof groups[0]; i++) {
+        for (size_t j = 0; j < sizeof groups[i].sources / sizeof groups[i].sources[0]; j++) {
+            const source *source = &groups[i].sources[j];
+            if (source->es != gl->es || source->version == 0) continue;
+            bool by_version = gl->version >= source->version;
+            if (by_version || (source->extension && has_extension(gl, source->extension))) {
+                groups[i].load(gl, loader, by_version ? "" : source->suffix);
+                break;
+            }
+        }
+    }
+    if (gl->compatibility) load_compatibility(gl, loader, "");
+}
+
+static void find_unwanted_capabilities(ew_gl *gl)
+{
+    enum {
+        COMPATIBILITY_ALPHA_TEST = 0x0BC0,
+        COMPATIBILITY_POLYGON_STIPPLE = 0x0B42,
+        DEPTH_BOUNDS_TEST_EXT = 0x8890,
+    };
+    const struct {
+        GLenum capability;
+        bool known;
+    } candidates[] = {
+        {GL_CULL_FACE, true},
+        {GL_DEPTH_TEST, true},
+        {GL_STENCIL_TEST, true},
+        {GL_SAMPLE_ALPHA_TO_COVERAGE, true},
+        {GL_SAMPLE_COVERAGE, true},
+        {GL_RASTERIZER_DISCARD, true},
+        {GL_SAMPLE_MASK, gl->version >= (gl->es ? 31 : 32)},
+        {GL_SAMPLE_SHADING, gl->es ? gl->version >= 32 || has_extension(gl, "GL_OES_sample_shading")
+                                   : gl->version >= 40 || has_extension(gl, "GL_ARB_sample_shading")},
+        {GL_SAMPLE_ALPHA_TO_ONE, !gl->es},
+        {GL_POLYGON_SMOOTH, !gl->es},
+        {GL_COLOR_LOGIC_OP, !gl->es},
+        {GL_PRIMITIVE_RESTART, !gl->es},
+        {COMPATIBILITY_ALPHA_TEST, gl->compatibility},
+        {COMPATIBILITY_POLYGON_STIPPLE, gl->compatibility},
+        {DEPTH_BOUNDS_TEST_EXT, !gl->es && has_extension(gl, "GL_EXT_depth_bounds_test")},
+    };
+    gl->unwanted_capability_count = 0;
+    for (size_t i = 0; i < sizeof candidates / sizeof candidates[0]; i++)
+        if (candidates[i].known) gl->unwanted_capabilities[gl->unwanted_capability_count++] = candidates[i].capability;
+
+    GLint clip_distances = 0;
+    if (!gl->es || has_extension(gl, "GL_EXT_clip_cull_distance")) gl->GetIntegerv(GL_MAX_CLIP_DISTANCES, &clip_distances);
+    for (GLint i = 0; i < clip_distances && gl->unwanted_capability_count < EW_GL_MAX_CAPABILITIES; i++)
+        gl->unwanted_capabilities[gl->unwanted_capability_count++] = GL_CLIP_DISTANCE0 + (GLenum)i;
+}
+
+static ew_result fail_missing(const loader *loader, ew_error *error)
+{
+    return ew_fail(error, EW_ERROR_MISSING_FUNCTION, "effect desc.get_proc_address returned NULL for %d function%s, such as %s",
+                   loader->missing_count, loader->missing_count == 1 ? "" : "s", loader->missing);
+}
+
+ew_result ew_gl_load(ew_gl *gl, ew_gl_function (*get_proc_address)(void *user, const char *name), void *user, ew_error *error)
+{
+    loader loader = {.get_proc_address = get_proc_address, .user = user};
+    *gl = (ew_gl){0};
+
+    load_functions(gl, &loader);
+    if (gl->GetString == NULL) return fail_missing(&loader, error);
+
+    /* The integers GL_MAJOR_VERSION and GL_MINOR_VERSION are errors in contexts older than 3.0; the string never is. */
+    const char *version = (const char *)gl->GetString(GL_VERSION);
+    if (version == NULL)
+        return ew_fail(error, EW_ERROR_UNSUPPORTED_CONTEXT, "no GL context is current: glGetString(GL_VERSION) returned NULL");
+    gl->es = strncmp(version, "OpenGL ES", 9) == 0;
+    const char *number = version + strcspn(version, "0123456789");
+    int major = 0, minor = 0;
+    if (sscanf(number, "%d.%d", &major, &minor) != 2) major = minor = 0;
+    gl->version = 10 * major + minor;
+    if (gl->version < (gl->es ? 30 : 33))
+        return ew_fail(error, EW_ERROR_UNSUPPORTED_CONTEXT,
+                       "the current context's version is \"%.60s\"; OpenGL 3.3 or OpenGL ES 3.0 is needed", version);
+    if (loader.missing_count > 0) return fail_missing(&loader, error);
+
+    if (!gl->es) {
+        GLint profile = 0;
+        gl->GetIntegerv(GL_CONTEXT_PROFILE_MASK, &profile);
+        gl->compatibility = (profile & GL_CONTEXT_CORE_PROFILE_BIT) == 0;
+    }
+    load_groups(gl, &loader);
+    if (loader.missing_count > 0) return fail_missing(&loader, error);
+
+    gl->GetIntegerv(GL_MAX_UNIFORM_BLOCK_SIZE, &gl->max_uniform_block_size);
+    gl->GetIntegerv(GL_MAX_DRAW_BUFFERS, &gl->max_draw_buffers);
+    find_unwanted_capabilities(gl);
+    return EW_OK;
+}

@@ -1,0 +1,124 @@
+/* The host's GL: the functions that its loader returns, and what its context can do. */
+#ifndef EW_GL_H
+#define EW_GL_H
+
+#include "energywave.h"
+
+#include <GL/glcorearb.h>
+#include <stdbool.h>
+
+/* Each list expands X(type, name) for functions that come together: those that every context has, ... */
+#define EW_GL_FUNCTIONS(X)                                                                                                     \
+    X(PFNGLACTIVETEXTUREPROC, ActiveTexture)                                                                                   \
+    X(PFNGLATTACHSHADERPROC, AttachShader)                                                                                     \
+    X(PFNGLBINDBUFFERPROC, BindBuffer)                                                                                         \
+    X(PFNGLBINDBUFFERBASEPROC, BindBufferBase)                                                                                 \
+    X(PFNGLBINDBUFFERRANGEPROC, BindBufferRange)                                                                               \
+    X(PFNGLBINDFRAMEBUFFERPROC, BindFramebuffer)                                                                               \
+    X(PFNGLBINDSAMPLERPROC, BindSampler)                                                                                       \
+    X(PFNGLBINDTEXTUREPROC, BindTexture)                                                                                       \
+    X(PFNGLBINDVERTEXARRAYPROC, BindVertexArray)                                                                               \
+    X(PFNGLBLENDEQUATIONPROC, BlendEquation)                                                                                   \
+    X(PFNGLBLENDEQUATIONSEPARATEPROC, BlendEquationSeparate)                                                                   \
+    X(PFNGLBLENDFUNCSEPARATEPROC, BlendFuncSeparate)                                                                           \
+    X(PFNGLBUFFERDATAPROC, BufferData)                                                                                         \
+    X(PFNGLBUFFERSUBDATAPROC, BufferSubData)                                                                                   \
+    X(PFNGLCHECKFRAMEBUFFERSTATUSPROC, CheckFramebufferStatus)                                                                 \
+    X(PFNGLCOLORMASKPROC, ColorMask)                                                                                           \
+    X(PFNGLCOMPILESHADERPROC, CompileShader)                                                                                   \
+    X(PFNGLCREATEPROGRAMPROC, CreateProgram)                                                                                   \
+    X(PFNGLCREATESHADERPROC, CreateShader)                                                                                     \
+    X(PFNGLDELETEBUFFERSPROC, DeleteBuffers)                                                                                   \
+    X(PFNGLDELETEPROGRAMPROC, DeleteProgram)                                                                                   \
+    X(PFNGLDELETESAMPLERSPROC, DeleteSamplers)                                                                                 \
+    X(PFNGLDELETESHADERPROC, DeleteShader)                                                                                     \
+    X(PFNGLDELETEVERTEXARRAYSPROC, DeleteVertexArrays)                                                                         \
+    X(PFNGLDETACHSHADERPROC, DetachShader)                                                                                     \
+    X(PFNGLDISABLEPROC, Disable)                                                                                               \
+    X(PFNGLDRAWARRAYSPROC, DrawArrays)                                                                                         \
+    X(PFNGLDRAWBUFFERSPROC, DrawBuffers)                                                                                       \
+    X(PFNGLENABLEPROC, Enable)                                                                                                 \
+    X(PFNGLGENBUFFERSPROC, GenBuffers)                                                                                         \
+    X(PFNGLGENSAMPLERSPROC, GenSamplers)                                                                                       \
+    X(PFNGLGENVERTEXARRAYSPROC, GenVertexArrays)                                                                               \
+    X(PFNGLGETBOOLEANVPROC, GetBooleanv)                                                                                       \
+    X(PFNGLGETERRORPROC, GetError)                                                                                             \
+    X(PFNGLGETFLOATVPROC, GetFloatv)                                                                                           \
+    X(PFNGLGETINTEGER64I_VPROC, GetInteger64i_v)                                                                               \
+    X(PFNGLGETINTEGERI_VPROC, GetIntegeri_v)                                                                                   \
+    X(PFNGLGETINTEGERVPROC, GetIntegerv)                                                                                       \
+    X(PFNGLGETPROGRAMINFOLOGPROC, GetProgramInfoLog)                                                                           \
+    X(PFNGLGETPROGRAMIVPROC, GetProgramiv)                                                                                     \
+    X(PFNGLGETSHADERINFOLOGPROC, GetShaderInfoLog)                                                                             \
+    X(PFNGLGETSHADERIVPROC, GetShaderiv)                                                                                       \
+    X(PFNGLGETSTRINGPROC, GetString)                                                                                           \
+    X(PFNGLGETSTRINGIPROC, GetStringi)                                                                                         \
+    X(PFNGLGETUNIFORMBLOCKINDEXPROC, GetUniformBlockIndex)                                                                     \
+    X(PFNGLGETUNIFORMLOCATIONPROC, GetUniformLocation)                                                                         \
+    X(PFNGLISENABLEDPROC, IsEnabled)                                                                                           \
+    X(PFNGLISFRAMEBUFFERPROC, IsFramebuffer)                                                                                   \
+    X(PFNGLISTEXTUREPROC, IsTexture)                                                                                           \
+    X(PFNGLLINKPROGRAMPROC, LinkProgram)                                                                                       \
+    X(PFNGLSAMPLERPARAMETERIPROC, SamplerParameteri)                                                                           \
+    X(PFNGLSHADERSOURCEPROC, ShaderSource)                                                                                     \
+    X(PFNGLUNIFORM1IPROC, Uniform1i)                                                                                           \
+    X(PFNGLUNIFORMBLOCKBINDINGPROC, UniformBlockBinding)                                                                       \
+    X(PFNGLUSEPROGRAMPROC, UseProgram)                                                                                         \
+    X(PFNGLVIEWPORTPROC, Viewport)
+
+/* ... and those of some contexts only, NULL in the others: colour masks and blending of one draw buffer, */
+#define EW_GL_INDEXED_MASK_FUNCTIONS(X)                                                                                        \
+    X(PFNGLCOLORMASKIPROC, ColorMaski)                                                                                         \
+    X(PFNGLDISABLEIPROC, Disablei)                                                                                             \
+    X(PFNGLENABLEIPROC, Enablei)
+#define EW_GL_INDEXED_BLEND_FUNCTIONS(X)                                                                                       \
+    X(PFNGLBLENDEQUATIONIPROC, BlendEquationi)                                                                                 \
+    X(PFNGLBLENDEQUATIONSEPARATEIPROC, BlendEquationSeparatei)                                                                 \
+    X(PFNGLBLENDFUNCSEPARATEIPROC, BlendFuncSeparatei)
+/* one viewport of several, */
+#define EW_GL_VIEWPORT_ARRAY_FUNCTIONS(X) X(PFNGLVIEWPORTINDEXEDFPROC, ViewportIndexedf)
+/* program pipelines, */
+#define EW_GL_PIPELINE_FUNCTIONS(X)                                                                                            \
+    X(PFNGLACTIVESHADERPROGRAMPROC, ActiveShaderProgram)                                                                       \
+    X(PFNGLDELETEPROGRAMPIPELINESPROC, DeleteProgramPipelines)                                                                 \
+    X(PFNGLGENPROGRAMPIPELINESPROC, GenProgramPipelines)
+/* transform feedback that pauses, */
+#define EW_GL_TRANSFORM_FEEDBACK_FUNCTIONS(X)                                                                                  \
+    X(PFNGLPAUSETRANSFORMFEEDBACKPROC, PauseTransformFeedback)                                                                 \
+    X(PFNGLRESUMETRANSFORMFEEDBACKPROC, ResumeTransformFeedback)
+/* and what OpenGL ES, or the core profile, dropped. */
+#define EW_GL_DESKTOP_FUNCTIONS(X) X(PFNGLPOLYGONMODEPROC, PolygonMode)
+#define EW_GL_COMPATIBILITY_FUNCTIONS(X) X(PFNGLCLAMPCOLORPROC, ClampColor)
+
+enum { EW_GL_MAX_CAPABILITIES = 40 };
+
+typedef struct ew_gl {
+#define EW_GL_MEMBER(type, name) type name;
+    EW_GL_FUNCTIONS(EW_GL_MEMBER)
+    EW_GL_INDEXED_MASK_FUNCTIONS(EW_GL_MEMBER)
+    EW_GL_INDEXED_BLEND_FUNCTIONS(EW_GL_MEMBER)
+    EW_GL_VIEWPORT_ARRAY_FUNCTIONS(EW_GL_MEMBER)
+    EW_GL_PIPELINE_FUNCTIONS(EW_GL_MEMBER)
+    EW_GL_TRANSFORM_FEEDBACK_FUNCTIONS(EW_GL_MEMBER)
+    EW_GL_DESKTOP_FUNCTIONS(EW_GL_MEMBER)
+    EW_GL_COMPATIBILITY_FUNCTIONS(EW_GL_MEMBER)
+#undef EW_GL_MEMBER
+
+    bool es;            /* OpenGL ES: shaders start with "#version 300 es", else with "#version 330 core" */
+    bool compatibility; /* the compatibility profile */
+    int version;        /* 10 * major + minor */
+    GLint max_uniform_block_size;
+    GLint max_draw_buffers;
+
+    /* Of the capabilities that glEnable takes, those of this context that must be off while the effect draws. */
+    GLenum unwanted_capabilities[EW_GL_MAX_CAPABILITIES];
+    int unwanted_capability_count;
+} ew_gl;
+
+/* Looks up the functions of the current context and what it can do.
+ *
+ * Errors: MISSING_FUNCTION (names them), UNSUPPORTED_CONTEXT (says what was found); `gl` is then undefined.
+ * GL:     changes nothing. */
+ew_result ew_gl_load(ew_gl *gl, ew_gl_function (*get_proc_address)(void *user, const char *name), void *user, ew_error *error);
+
+#endif

@@ -1,0 +1,217 @@
+/* Saving, setting and restoring the host's GL state. */
+#include "state_guard.h"
+
+#include "error.h"
+
+/* glColorClamp's target that the core profile dropped, and its default. */
+enum { COMPATIBILITY_CLAMP_FRAGMENT_COLOR = 0x891B };
+
+static GLint get_integer(const ew_gl *gl, GLenum name)
+{
+    GLint value = 0;
+    gl->GetIntegerv(name, &value);
+    return value;
+}
+
+/* GL deletes a program that is flagged for deletion as soon as it is not current anywhere, unless it is the active program of
+ * a pipeline (OpenGL 4.6 core, 7.3): so a pipeline of our own keeps it. */
+static ew_result keep_program(const ew_gl *gl, ew_gl_state *state, ew_error *error)
+{
+    state->program_keeper = 0;
+    if (state->program == 0) return EW_OK;
+    GLint linked = GL_FALSE, deleted = GL_FALSE;
+    gl->GetProgramiv(state->program, GL_LINK_STATUS, &linked);
+    if (!linked)
+        return ew_fail(error, EW_ERROR_OPENGL,
+                       "the current program %u was linked again, without success, and could not be made current again; "
+                       "call glUseProgram(0) first",
+                       state->program);
+    gl->GetProgramiv(state->program, GL_DELETE_STATUS, &deleted);
+    if (!deleted) return EW_OK;
+    if (gl->GenProgramPipelines == NULL)
+        return ew_fail(
+            error, EW_ERROR_OPENGL,
+            "the current program %u is flagged for deletion and would be gone after the call; call glUseProgram(0) first",
+            state->program);
+    gl->GenProgramPipelines(1, &state->program_keeper);
+    gl->ActiveShaderProgram(state->program_keeper, state->program);
+    return EW_OK;
+}
+
+ew_result ew_gl_save_state(const ew_gl *gl, ew_gl_state *state, ew_error *error)
+{
+    state->program = (GLuint)get_integer(gl, GL_CURRENT_PROGRAM);
+    ew_result result = keep_program(gl, state, error);
+    if (result != EW_OK) return result;
+
+    /* While transform feedback is active and not paused, glUseProgram is an error. */
+    state->transform_feedback_paused = gl->PauseTransformFeedback && get_integer(gl, GL_TRANSFORM_FEEDBACK_ACTIVE) &&
+                                       !get_integer(gl, GL_TRANSFORM_FEEDBACK_PAUSED);
+    if (state->transform_feedback_paused) gl->PauseTransformFeedback();
+
+    state->vertex_array = (GLuint)get_integer(gl, GL_VERTEX_ARRAY_BINDING);
+    state->uniform_buffer = (GLuint)get_integer(gl, GL_UNIFORM_BUFFER_BINDING);
+    for (GLuint i = 0; i < EW_BINDING_COUNT; i++) {
+        GLint buffer = 0;
+        gl->GetIntegeri_v(GL_UNIFORM_BUFFER_BINDING, i, &buffer);
+        state->uniform_bindings[i].buffer = (GLuint)buffer;
+        gl->GetInteger64i_v(GL_UNIFORM_BUFFER_START, i, &state->uniform_bindings[i].start);
+        gl->GetInteger64i_v(GL_UNIFORM_BUFFER_SIZE, i, &state->uniform_bindings[i].size);
+    }
+
+    state->active_texture = (GLenum)get_integer(gl, GL_ACTIVE_TEXTURE);
+    gl->ActiveTexture(GL_TEXTURE0 + EW_GL_DEPTH_TEXTURE_UNIT);
+    state->texture = (GLuint)get_integer(gl, GL_TEXTURE_BINDING_2D);
+    state->sampler = (GLuint)get_integer(gl, GL_SAMPLER_BINDING);
+
+    state->framebuffer = (GLuint)get_integer(gl, GL_DRAW_FRAMEBUFFER_BINDING);
+    state->draw_buffer_count = 0;
+    gl->GetFloatv(GL_VIEWPORT, state->viewport);
+
+    /* Of indexed state, the queries without an index return that of draw buffer 0. */
+    state->blend = gl->IsEnabled(GL_BLEND);
+    state->blend_source_rgb = (GLenum)get_integer(gl, GL_BLEND_SRC_RGB);
+    state->blend_destination_rgb = (GLenum)get_integer(gl, GL_BLEND_DST_RGB);
+    state->blend_source_alpha = (GLenum)get_integer(gl, GL_BLEND_SRC_ALPHA);
+    state->blend_destination_alpha = (GLenum)get_integer(gl, GL_BLEND_DST_ALPHA);
+    state->blend_equation_rgb = (GLenum)get_integer(gl, GL_BLEND_EQUATION_RGB);
+    state->blend_equation_alpha = (GLenum)get_integer(gl, GL_BLEND_EQUATION_ALPHA);
+    gl->GetBooleanv(GL_COLOR_WRITEMASK, state->color_mask);
+
+    if (gl->PolygonMode) {
+        GLint modes[2] = {GL_FILL, GL_FILL};
+        gl->GetIntegerv(GL_POLYGON_MODE, modes);
+        state->polygon_mode[0] = (GLenum)modes[0];
+        state->polygon_mode[1] = (GLenum)modes[1];
+    }
+    if (gl->ClampColor) state->clamp_fragment_color = (GLenum)get_integer(gl, COMPATIBILITY_CLAMP_FRAGMENT_COLOR);
+    for (int i = 0; i < gl->unwanted_capability_count; i++)
+        state->capabilities[i] = gl->IsEnabled(gl->unwanted_capabilities[i]);
+    return EW_OK;
+}
+
+static void set_viewport(const ew_gl *gl, const GLfloat viewport[4])
+{
+    /* glViewport would set all viewports of a viewport array. */
+    if (gl->ViewportIndexedf)
+        gl->ViewportIndexedf(0, viewport[0], viewport[1], viewport[2], viewport[3]);
+    else
+        gl->Viewport((GLint)viewport[0], (GLint)viewport[1], (GLsizei)viewport[2], (GLsizei)viewport[3]);
+}
+
+static void set_blend(const ew_gl *gl, bool blend)
+{
+    if (gl->Enablei)
+        (blend ? gl->Enablei : gl->Disablei)(GL_BLEND, 0);
+    else
+        (blend ? gl->Enable : gl->Disable)(GL_BLEND);
+}
+
+static void set_blend_factors(const ew_gl *gl, GLenum source_rgb, GLenum destination_rgb, GLenum source_alpha,
+                              GLenum destination_alpha)
+{
+    if (gl->BlendFuncSeparatei)
+        gl->BlendFuncSeparatei(0, source_rgb, destination_rgb, source_alpha, destination_alpha);
+    else
+        gl->BlendFuncSeparate(source_rgb, destination_rgb, source_alpha, destination_alpha);
+}
+
+static void set_blend_equation(const ew_gl *gl, GLenum rgb, GLenum alpha)
+{
+    /* The functions for separate equations refuse the advanced ones (GL_MULTIPLY_KHR, ...), which are never separate. */
+    if (rgb == alpha) {
+        if (gl->BlendEquationi)
+            gl->BlendEquationi(0, rgb);
+        else
+            gl->BlendEquation(rgb);
+    } else {
+        if (gl->BlendEquationSeparatei)
+            gl->BlendEquationSeparatei(0, rgb, alpha);
+        else
+            gl->BlendEquationSeparate(rgb, alpha);
+    }
+}
+
+static void set_color_mask(const ew_gl *gl, const GLboolean mask[4])
+{
+    if (gl->ColorMaski)
+        gl->ColorMaski(0, mask[0], mask[1], mask[2], mask[3]);
+    else
+        gl->ColorMask(mask[0], mask[1], mask[2], mask[3]);
+}
+
+/* The effect's shader has one output; what it would write to further draw buffers is undefined, so they are taken out. */
+static void keep_first_draw_buffer(const ew_gl *gl, ew_gl_state *state)
+{
+    for (int i = 0; i < gl->max_draw_buffers && i < EW_GL_MAX_DRAW_BUFFERS; i++) {
+        state->draw_buffers[i] = (GLenum)get_integer(gl, GL_DRAW_BUFFER0 + (GLenum)i);
+        if (i > 0 && state->draw_buffers[i] != GL_NONE) state->draw_buffer_count = i + 1;
+    }
+    if (state->draw_buffer_count > 0) gl->DrawBuffers(1, state->draw_buffers);
+}
+
+void ew_gl_set_draw_state(const ew_gl *gl, ew_gl_state *state, const ew_gl_draw_state *draw)
+{
+    gl->BindFramebuffer(GL_DRAW_FRAMEBUFFER, draw->framebuffer);
+    keep_first_draw_buffer(gl, state);
+    set_viewport(gl, (const GLfloat[4]){(GLfloat)draw->viewport[0], (GLfloat)draw->viewport[1], (GLfloat)draw->viewport[2],
+                                        (GLfloat)draw->viewport[3]});
+
+    set_blend(gl, draw->blend);
+    if (draw->blend) {
+        set_blend_factors(gl, draw->source_rgb, draw->destination_rgb, draw->source_alpha, draw->destination_alpha);
+        set_blend_equation(gl, GL_FUNC_ADD, GL_FUNC_ADD);
+    }
+    set_color_mask(gl, (const GLboolean[4]){GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE});
+    if (gl->PolygonMode) gl->PolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+    if (gl->ClampColor) gl->ClampColor(COMPATIBILITY_CLAMP_FRAGMENT_COLOR, GL_FALSE);
+    for (int i = 0; i < gl->unwanted_capability_count; i++)
+        if (state->capabilities[i]) gl->Disable(gl->unwanted_capabilities[i]);
+}
+
+static void restore_uniform_bindings(const ew_gl *gl, const ew_gl_state *state)
+{
+    for (GLuint i = 0; i < EW_BINDING_COUNT; i++) {
+        GLuint buffer = state->uniform_bindings[i].buffer;
+        GLint64 start = state->uniform_bindings[i].start, size = state->uniform_bindings[i].size;
+        if (size > 0)
+            gl->BindBufferRange(GL_UNIFORM_BUFFER, i, buffer, (GLintptr)start, (GLsizeiptr)size);
+        else
+            gl->BindBufferBase(GL_UNIFORM_BUFFER, i, buffer);
+    }
+    gl->BindBuffer(GL_UNIFORM_BUFFER, state->uniform_buffer); /* last: the others set it too */
+}
+
+void ew_gl_restore_state(const ew_gl *gl, const ew_gl_state *state)
+{
+    for (int i = 0; i < gl->unwanted_capability_count; i++)
+        if (state->capabilities[i]) gl->Enable(gl->unwanted_capabilities[i]);
+    if (gl->ClampColor) gl->ClampColor(COMPATIBILITY_CLAMP_FRAGMENT_COLOR, state->clamp_fragment_color);
+    if (gl->PolygonMode) {
+        if (state->polygon_mode[0] == state->polygon_mode[1]) {
+            gl->PolygonMode(GL_FRONT_AND_BACK, state->polygon_mode[0]);
+        } else { /* only the compatibility profile has two */
+            gl->PolygonMode(GL_FRONT, state->polygon_mode[0]);
+            gl->PolygonMode(GL_BACK, state->polygon_mode[1]);
+        }
+    }
+    set_color_mask(gl, state->color_mask);
+    set_blend_equation(gl, state->blend_equation_rgb, state->blend_equation_alpha);
+    set_blend_factors(gl, state->blend_source_rgb, state->blend_destination_rgb, state->blend_source_alpha,
+                      state->blend_destination_alpha);
+    set_blend(gl, state->blend);
+    set_viewport(gl, state->viewport);
+    if (state->draw_buffer_count > 0) gl->DrawBuffers(state->draw_buffer_count, state->draw_buffers);
+    gl->BindFramebuffer(GL_DRAW_FRAMEBUFFER, state->framebuffer);
+
+    gl->ActiveTexture(GL_TEXTURE0 + EW_GL_DEPTH_TEXTURE_UNIT);
+    gl->BindTexture(GL_TEXTURE_2D, state->texture);
+    gl->BindSampler(EW_GL_DEPTH_TEXTURE_UNIT, state->sampler);
+    gl->ActiveTexture(state->active_texture);
+
+    restore_uniform_bindings(gl, state);
+    gl->BindVertexArray(state->vertex_array);
+    gl->UseProgram(state->program);
+    if (state->program_keeper) gl->DeleteProgramPipelines(1, &state->program_keeper);
+    if (state->transform_feedback_paused) gl->ResumeTransformFeedback();
+}

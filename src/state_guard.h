@@ -1,0 +1,62 @@
+/* The guard of the host's GL state: everything that the effect's drawing touches, or that could spoil it. */
+#ifndef EW_STATE_GUARD_H
+#define EW_STATE_GUARD_H
+
+#include "gl.h"
+#include "layout.h"
+
+/* The texture unit of which the effect uses the 2D texture and the sampler; the uniform buffer bindings are 0 to
+ * EW_BINDING_COUNT - 1. */
+enum { EW_GL_DEPTH_TEXTURE_UNIT = 0 };
+
+enum { EW_GL_MAX_DRAW_BUFFERS = 32 };
+
+typedef struct ew_gl_state {
+    GLuint program;
+    GLuint program_keeper; /* a pipeline that keeps alive a program that is flagged for deletion, or 0 */
+    bool transform_feedback_paused;
+    GLuint vertex_array;
+    GLuint uniform_buffer;
+    struct {
+        GLuint buffer;
+        GLint64 start;
+        GLint64 size;
+    } uniform_bindings[EW_BINDING_COUNT];
+    GLenum active_texture;
+    GLuint texture;
+    GLuint sampler;
+    GLuint framebuffer;
+    GLenum draw_buffers[EW_GL_MAX_DRAW_BUFFERS]; /* of the framebuffer that the effect draws to */
+    int draw_buffer_count;                       /* 0: not changed */
+    GLfloat viewport[4];
+    bool blend;
+    GLenum blend_source_rgb, blend_destination_rgb, blend_source_alpha, blend_destination_alpha;
+    GLenum blend_equation_rgb, blend_equation_alpha;
+    GLboolean color_mask[4];
+    GLenum polygon_mode[2];
+    GLenum clamp_fragment_color;
+    bool capabilities[EW_GL_MAX_CAPABILITIES];
+} ew_gl_state;
+
+/* Where and how the effect draws. */
+typedef struct ew_gl_draw_state {
+    GLuint framebuffer;
+    GLint viewport[4];
+    bool blend; /* with these factors, adding */
+    GLenum source_rgb, destination_rgb, source_alpha, destination_alpha;
+} ew_gl_draw_state;
+
+/* Saves the host's state and makes room for the effect's program: pauses transform feedback. After success, all of the state
+ * that ew_gl_state names may be changed, and ew_gl_restore_state must follow.
+ *
+ * Errors: OPENGL, if the state is one that GL cannot return to; then nothing is changed. */
+ew_result ew_gl_save_state(const ew_gl *gl, ew_gl_state *state, ew_error *error);
+
+/* Puts everything that could influence a triangle that covers the viewport, drawn with the effect's program and vertex array,
+ * into a known state. The host's scissor stays in force; so do dithering, sRGB encoding and conditional rendering. */
+void ew_gl_set_draw_state(const ew_gl *gl, ew_gl_state *state, const ew_gl_draw_state *draw);
+
+/* Returns to the saved state. */
+void ew_gl_restore_state(const ew_gl *gl, const ew_gl_state *state);
+
+#endif
