@@ -7,14 +7,15 @@
 #include <stdlib.h>
 #include <string.h>
 
-typedef struct loader {
+typedef struct function_loader {
     ew_gl_function (*get_proc_address)(void *user, const char *name);
     void *user;
     char missing[128]; /* the names of functions not found, as many as fit */
     int missing_count;
-} loader;
+    bool missing_unnamed; /* whether some did not fit */
+} function_loader;
 
-static ew_gl_function load_function(loader *loader, const char *name, const char *suffix)
+static ew_gl_function load_function(function_loader *loader, const char *name, const char *suffix)
 {
     char full_name[64];
     snprintf(full_name, sizeof full_name, "gl%s%s", name, suffix);
@@ -24,54 +25,28 @@ static ew_gl_function load_function(loader *loader, const char *name, const char
         const char *separator = length == 0 ? "" : ", ";
         if (strlen(separator) + strlen(full_name) < space)
             snprintf(loader->missing + length, space, "%s%s", separator, full_name);
+        else
+            loader->missing_unnamed = true;
         loader->missing_count++;
     }
     return function;
 }
 
 #define LOAD(type, name) gl->name = (type)load_function(loader, #name, suffix);
-
-static void load_functions(ew_gl *gl, loader *loader)
-{
-    const char *suffix = "";
-    EW_GL_FUNCTIONS(LOAD)
-}
-
-static void load_indexed_mask(ew_gl *gl, loader *loader, const char *suffix)
-{
-    EW_GL_INDEXED_MASK_FUNCTIONS(LOAD)
-}
-
-static void load_indexed_blend(ew_gl *gl, loader *loader, const char *suffix)
-{
-    EW_GL_INDEXED_BLEND_FUNCTIONS(LOAD)
-}
-
-static void load_viewport_array(ew_gl *gl, loader *loader, const char *suffix)
-{
-    EW_GL_VIEWPORT_ARRAY_FUNCTIONS(LOAD)
-}
-
-static void load_pipeline(ew_gl *gl, loader *loader, const char *suffix)
-{
-    EW_GL_PIPELINE_FUNCTIONS(LOAD)
-}
-
-static void load_transform_feedback(ew_gl *gl, loader *loader, const char *suffix)
-{
-    EW_GL_TRANSFORM_FEEDBACK_FUNCTIONS(LOAD)
-}
-
-static void load_desktop(ew_gl *gl, loader *loader, const char *suffix)
-{
-    EW_GL_DESKTOP_FUNCTIONS(LOAD)
-}
-
-static void load_compatibility(ew_gl *gl, loader *loader, const char *suffix)
-{
-    EW_GL_COMPATIBILITY_FUNCTIONS(LOAD)
-}
-
+#define DEFINE_LOAD(group, FUNCTIONS)                                                                                          \
+    static void load_##group(ew_gl *gl, function_loader *loader, const char *suffix)                                           \
+    {                                                                                                                          \
+        FUNCTIONS(LOAD)                                                                                                        \
+    }
+DEFINE_LOAD(common, EW_GL_FUNCTIONS)
+DEFINE_LOAD(indexed_mask, EW_GL_INDEXED_MASK_FUNCTIONS)
+DEFINE_LOAD(indexed_blend, EW_GL_INDEXED_BLEND_FUNCTIONS)
+DEFINE_LOAD(viewport_array, EW_GL_VIEWPORT_ARRAY_FUNCTIONS)
+DEFINE_LOAD(pipeline, EW_GL_PIPELINE_FUNCTIONS)
+DEFINE_LOAD(transform_feedback, EW_GL_TRANSFORM_FEEDBACK_FUNCTIONS)
+DEFINE_LOAD(desktop, EW_GL_DESKTOP_FUNCTIONS)
+DEFINE_LOAD(compatibility, EW_GL_COMPATIBILITY_FUNCTIONS)
+#undef DEFINE_LOAD
 #undef LOAD
 
 static bool has_extension(const ew_gl *gl, const char *name)
@@ -88,16 +63,16 @@ static bool has_extension(const ew_gl *gl, const char *name)
 /* What brings a group of functions: a version (NEVER for none), or an extension, whose names end in `suffix`. */
 enum { NEVER = 1000 };
 
-typedef struct source {
+typedef struct group_source {
     bool es;
     int version;
     const char *extension;
     const char *suffix;
-} source;
+} group_source;
 
 static const struct group {
-    void (*load)(ew_gl *gl, loader *loader, const char *suffix);
-    source sources[4];
+    void (*load)(ew_gl *gl, function_loader *loader, const char *suffix);
+    group_source sources[4];
 } groups[] = {
     {load_indexed_mask,
      {{false, 30, NULL, ""},
@@ -115,11 +90,11 @@ static const struct group {
     {load_desktop, {{false, 30, NULL, ""}}},
 };
 
-static void load_groups(ew_gl *gl, loader *loader)
+static void load_groups(ew_gl *gl, function_loader *loader)
 {
     for (size_t i = 0; i < sizeof groups / sizeof groups[0]; i++) {
         for (size_t j = 0; j < sizeof groups[i].sources / sizeof groups[i].sources[0]; j++) {
-            const source *source = &groups[i].sources[j];
+            const group_source *source = &groups[i].sources[j];
             if (source->es != gl->es || source->version == 0) continue;
             bool by_version = gl->version >= source->version;
             if (by_version || (source->extension && has_extension(gl, source->extension))) {
@@ -169,18 +144,19 @@ static void find_unwanted_capabilities(ew_gl *gl)
         gl->unwanted_capabilities[gl->unwanted_capability_count++] = GL_CLIP_DISTANCE0 + (GLenum)i;
 }
 
-static ew_result fail_missing(const loader *loader, ew_error *error)
+static ew_result fail_missing(const function_loader *loader, ew_error *error)
 {
-    return ew_fail(error, EW_ERROR_MISSING_FUNCTION, "effect desc.get_proc_address returned NULL for %d function%s, such as %s",
-                   loader->missing_count, loader->missing_count == 1 ? "" : "s", loader->missing);
+    return ew_fail(error, EW_ERROR_MISSING_FUNCTION, "desc.get_proc_address returned NULL for %d function%s: %s%s",
+                   loader->missing_count, loader->missing_count == 1 ? "" : "s", loader->missing,
+                   loader->missing_unnamed ? ", ..." : "");
 }
 
 ew_result ew_gl_load(ew_gl *gl, ew_gl_function (*get_proc_address)(void *user, const char *name), void *user, ew_error *error)
 {
-    loader loader = {.get_proc_address = get_proc_address, .user = user};
+    function_loader loader = {.get_proc_address = get_proc_address, .user = user};
     *gl = (ew_gl){0};
 
-    load_functions(gl, &loader);
+    load_common(gl, &loader, "");
     if (gl->GetString == NULL) return fail_missing(&loader, error);
 
     /* The integers GL_MAJOR_VERSION and GL_MINOR_VERSION are errors in contexts older than 3.0; the string never is. */
