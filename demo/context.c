@@ -1,0 +1,110 @@
+/* GL contexts without a window: see context.h. */
+#include "context.h"
+#include "context_backend.h"
+#include "message.h"
+
+#include <stdlib.h>
+
+struct gl_context {
+    context_implementation implementation;
+    gl_functions gl;
+    char description[400];
+};
+
+const char *const context_backend_names[] = {"auto", "egl", "osmesa", NULL};
+
+/* The thread's current context. Neither backend knows of the other, and each would take its own context for current still
+ * after the other has put another one in its place. */
+static _Thread_local gl_context *current;
+
+static void release_current(void)
+{
+    if (current) current->implementation.release(current->implementation.state);
+    current = NULL;
+}
+
+static bool load_functions(gl_context *context, char *message, size_t size)
+{
+#define LOAD(type, function)                                                                                                   \
+    context->gl.function = (type)context->implementation.get_proc_address("gl" #function);                                     \
+    if (!context->gl.function) {                                                                                               \
+        message_write(message, size, "%s has no gl%s", context->implementation.name, #function);                               \
+        return false;                                                                                                          \
+    }
+    GL_FUNCTIONS(LOAD)
+#undef LOAD
+    return true;
+}
+
+static bool create_implementation(context_backend backend, context_implementation *implementation, char *message, size_t size)
+{
+    char egl[200], osmesa[200];
+    switch (backend) {
+    case CONTEXT_EGL:
+        return context_create_egl(implementation, message, size);
+    case CONTEXT_OSMESA:
+        return context_create_osmesa(implementation, message, size);
+    case CONTEXT_AUTO:
+        break;
+    }
+    if (context_create_egl(implementation, egl, sizeof egl)) return true;
+    if (context_create_osmesa(implementation, osmesa, sizeof osmesa)) return true;
+    message_write(message, size, "%s; %s", egl, osmesa);
+    return false;
+}
+
+gl_context *context_create(context_backend backend, char *message, size_t size)
+{
+    release_current();
+    gl_context *context = calloc(1, sizeof *context);
+    char reason[400] = "memory is exhausted";
+    if (context && create_implementation(backend, &context->implementation, reason, sizeof reason)) {
+        current = context;
+        if (load_functions(context, reason, sizeof reason)) {
+            const gl_functions *gl = &context->gl;
+            message_write(context->description, sizeof context->description, "%s: %s, %s, %s", context->implementation.name,
+                          (const char *)gl->GetString(GL_VENDOR), (const char *)gl->GetString(GL_RENDERER),
+                          (const char *)gl->GetString(GL_VERSION));
+            return context;
+        }
+        context_destroy(context);
+    } else {
+        free(context);
+    }
+    message_write(message, size, "--backend %s: no OpenGL 3.3 core context (%s); install a GL driver or name another backend",
+                  context_backend_names[backend], reason);
+    return NULL;
+}
+
+bool context_make_current(gl_context *context)
+{
+    if (context == current) return true;
+    release_current();
+    if (context->implementation.make_current(context->implementation.state)) current = context;
+    return context == current;
+}
+
+void context_destroy(gl_context *context)
+{
+    if (!context) return;
+    context_make_current(context);
+    release_current();
+    context->implementation.destroy(context->implementation.state);
+    free(context);
+}
+
+const gl_functions *context_gl(const gl_context *context)
+{
+    return &context->gl;
+}
+
+ew_gl_function context_get_proc_address(void *user, const char *name)
+{
+    const gl_context *context = user;
+    return context->implementation.get_proc_address(name);
+}
+
+const char *context_description(const gl_context *context)
+{
+    return context->description;
+}

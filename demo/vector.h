@@ -1,0 +1,59 @@
+/*
+ * Vectors and points of three doubles: what must stay exact far from the world's origin, where floats would not do.
+ */
+#ifndef VECTOR_H
+#define VECTOR_H
+
+#include <math.h>
+#include <stdbool.h>
+
+static inline void vector_copy(const double a[3], double result[3])
+{
+    for (int i = 0; i < 3; i++)
+        result[i] = a[i];
+}
+
+static inline void vector_subtract(const double a[3], const double b[3], double result[3])
+{
+    for (int i = 0; i < 3; i++)
+        result[i] = a[i] - b[i];
+}
+
+/* result = a + s b */
+static inline void vector_add_scaled(const double a[3], double s, const double b[3], double result[3])
+{
+    for (int i = 0; i < 3; i++)
+        result[i] = a[i] + s * b[i];
+}
+
+static inline double vector_dot(const double a[3], const double b[3])
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+/* `result` must be neither `a` nor `b`. */
+static inline void vector_cross(const double a[3], const double b[3], double result[3])
+{
+    for (int i = 0; i < 3; i++)
+        result[i] = a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3];
+}
+
+static inline double vector_length(const double a[3])
+{
+    return sqrt(vector_dot(a, a));
+}
+
+/* Brings `a` to unit length; false, and `result` untouched, if it has no direction. The largest component is divided out
+ * first, so that lengths whose squares overflow or underflow are as good as any. */
+static inline bool vector_normalize(const double a[3], double result[3])
+{
+    double largest = fmax(fabs(a[0]), fmax(fabs(a[1]), fabs(a[2])));
+    if (!(largest > 0)) return false;
+    double scaled[3] = {a[0] / largest, a[1] / largest, a[2] / largest};
+    double length = vector_length(scaled);
+    for (int i = 0; i < 3; i++)
+        result[i] = scaled[i] / length;
+    return true;
+}
+
+#endif
