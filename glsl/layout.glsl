@@ -1,0 +1,58 @@
+// What C and GLSL share: the uniform blocks' structures (std140; all members are vec4 or ivec4, so the C structures have the
+// same layout) and their binding points. Included by src/layout.h and put first into every shader.
+//
+// Ray space: the shader's unit of length is the interval, its origin (the anchor) the point of the viewing axis at view depth
+// interval_start, its axes are the view's. A ray is L(s) = S + s V with S.z = 0 and V.z = -1, and s runs from 0 to 1.
+
+struct ew_frame_block {
+    vec4 pixel_center;  // xy: where NDC (0, 0) lies in gl_FragCoord; zw: unused
+    vec4 ray_center;    // xy: S.xy, zw: V.xy of the ray there
+    vec4 ray_right;     // by how much both grow a pixel to the right
+    vec4 ray_up;        // by how much both grow a pixel upwards
+    vec4 depth_start;   // window depth of S: x + y at pixel_center (a float and its rounding error), zw: growth a pixel right, up
+    vec4 depth_end;     // likewise of E
+    vec4 depth_scale;   // x, y: clip w of S and of E, negated both for reversed-Z; zw: unused
+    vec4 decay;         // x: beta, y: 1 / beta, z: epsilon, w: the relative error that the adaptive integrator may make
+    ivec4 source_count; // points, lines, tori, curves
+    ivec4 simpson;      // x: number of divisions
+};
+
+struct ew_point_block {
+    vec4 position; // w: coefficient times alpha, as in all kinds
+    vec4 color;
+};
+
+struct ew_line_block {
+    vec4 position; // the point of the line nearest to the anchor
+    vec4 direction;
+    vec4 color;
+};
+
+struct ew_torus_block {
+    vec4 center;
+    vec4 axis; // w: radius
+    vec4 color;
+};
+
+// The arc C(tau) = origin + tangent tau + bend tau^2 with tau in [tangent.w, bend.w]. The origin is the parabola's vertex, where
+// tangent and bend are perpendicular, unless that is far off the arc; then it is the middle of the arc.
+struct ew_curve_block {
+    vec4 origin;
+    vec4 tangent; // w: tau at the start of the arc
+    vec4 bend;    // w: tau at its end
+    vec4 color;
+    vec4 weights; // x: 3 tangent.bend (0 exactly at a vertex), y: the first weight piece, z: how many pieces there are (0: none)
+};
+
+// One polynomial piece of S(t), equation (15): x + y f + z f^2 with f in [0, 1] along the piece.
+struct ew_weight_block {
+    vec4 polynomial;
+};
+
+#define EW_FRAME_BINDING 0
+#define EW_POINT_BINDING 1
+#define EW_LINE_BINDING 2
+#define EW_TORUS_BINDING 3
+#define EW_CURVE_BINDING 4
+#define EW_WEIGHT_BINDING 5
+#define EW_BINDING_COUNT 6

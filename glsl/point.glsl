@@ -1,0 +1,11 @@
+// The integral over a segment of 1 / distance to a point, equation (2): closed form. The distance from the ray is the length of
+// a perpendicular vector, never the root of a difference.
+float ew_integrate_point(ew_segment segment, ew_point_block point)
+{
+    vec3 to_point = point.position.xyz - segment.origin;
+    float k = ew_length_squared(segment.direction);
+    float s0 = dot(to_point, segment.direction) / k;
+    float b2 = ew_length_squared(to_point - s0 * segment.direction);
+    ew_evaluation_count += 1;
+    return ew_integrate_line_distance(b2, k, s0, 0.0, segment.end);
+}

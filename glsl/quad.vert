@@ -1,0 +1,6 @@
+// The camera-facing quad that covers the viewport, as a strip of four vertices without any vertex data.
+void main()
+{
+    vec2 corner = vec2(gl_VertexID & 1, gl_VertexID >> 1);
+    gl_Position = vec4(2.0 * corner - 1.0, 0.0, 1.0);
+}

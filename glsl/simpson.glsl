@@ -1,0 +1,145 @@
+// The published method, kept as a baseline: Simpson's rule (23) with n divisions and n + 1 samples (thesis (4.7) misses f(1)),
+// and Cardano's formula for the nearest point of a curve, once a sample.
+
+// 1 / (max(epsilon, distance) (s + beta)^2): psi times zeta, (22).
+float ew_sample(float distance_squared, float s)
+{
+    float epsilon = ew_frame.decay.z;
+    ew_evaluation_count += 1;
+    return 1.0 / (sqrt(max(distance_squared, epsilon * epsilon)) * ew_square(s + ew_frame.decay.x));
+}
+
+// The weight of sample i: 1, 4, 2, 4, ..., 4, 1.
+float ew_simpson_weight(int i, int divisions)
+{
+    if (i == 0 || i == divisions) return 1.0;
+    return (i & 1) == 1 ? 4.0 : 2.0;
+}
+
+#ifdef EW_POINTS
+float ew_integrate_point(ew_segment segment, ew_point_block point)
+{
+    int divisions = ew_frame.simpson.x;
+    float step_length = segment.end / float(divisions);
+    float sum = 0.0;
+    for (int i = 0; i <= divisions; ++i) {
+        float s = float(i) * step_length;
+        vec3 difference = segment.origin + s * segment.direction - point.position.xyz;
+        sum += ew_simpson_weight(i, divisions) * ew_sample(ew_length_squared(difference), s);
+    }
+    return sum * step_length / 3.0;
+}
+#endif
+
+#ifdef EW_LINES
+float ew_integrate_line(ew_segment segment, ew_line_block line)
+{
+    int divisions = ew_frame.simpson.x;
+    float step_length = segment.end / float(divisions);
+    float sum = 0.0;
+    for (int i = 0; i <= divisions; ++i) {
+        float s = float(i) * step_length;
+        vec3 difference = segment.origin + s * segment.direction - line.position.xyz;
+        difference -= dot(difference, line.direction.xyz) * line.direction.xyz;
+        sum += ew_simpson_weight(i, divisions) * ew_sample(ew_length_squared(difference), s);
+    }
+    return sum * step_length / 3.0;
+}
+#endif
+
+#ifdef EW_TORI
+float ew_integrate_torus(ew_segment segment, ew_torus_block torus)
+{
+    int divisions = ew_frame.simpson.x;
+    float step_length = segment.end / float(divisions);
+    float sum = 0.0;
+    for (int i = 0; i <= divisions; ++i) {
+        float s = float(i) * step_length;
+        vec3 difference = segment.origin + s * segment.direction - torus.center.xyz;
+        float height = dot(difference, torus.axis.xyz);
+        float from_axis = length(difference - height * torus.axis.xyz);
+        sum += ew_simpson_weight(i, divisions) * ew_sample(ew_square(from_axis - torus.axis.w) + height * height, s);
+    }
+    return sum * step_length / 3.0;
+}
+#endif
+
+#ifdef EW_CURVES
+vec3 ew_curve_point(ew_curve_block curve, float tau)
+{
+    return curve.origin.xyz + tau * (curve.tangent.xyz + tau * curve.bend.xyz);
+}
+
+float ew_cube_root(float x)
+{
+    return sign(x) * pow(abs(x), 1.0 / 3.0);
+}
+
+// The real roots of x^3 + a x^2 + b x + c = 0, appendix A with its misprints mended: theta = atan2(sqrt(-r), -q), u and v paired
+// so that u v = -p, and each root shifted by -a/3. Where there is one real root, it is returned three times.
+vec3 ew_cubic_roots(float a, float b, float c)
+{
+    float p = b / 3.0 - a * a / 9.0;
+    float q = a * a * a / 27.0 - a * b / 6.0 + c / 2.0;
+    float r = p * p * p + q * q;
+    float shift = -a / 3.0;
+    if (r >= 0.0) {
+        float u = ew_cube_root(q > 0.0 ? -q - sqrt(r) : -q + sqrt(r));
+        return vec3((u == 0.0 ? 0.0 : u - p / u) + shift);
+    }
+    float theta = atan(sqrt(-r), -q);
+    vec3 angles = (vec3(0.0, 1.0, 2.0) * 6.28318530718 + theta) / 3.0;
+    return 2.0 * sqrt(-p) * cos(angles) + shift;
+}
+
+// The steps 1 to 5 of section 2.3: the stationary points of the distance inside the domain, and both ends. (12) lacks P in its
+// linear coefficient; it is 2 C2.(C0 - P) + |C1|^2.
+float ew_nearest_on_curve(ew_curve_block curve, vec3 position, out float nearest_tau)
+{
+    vec3 offset = curve.origin.xyz - position;
+    float cubic = 2.0 * ew_length_squared(curve.bend.xyz);
+    float quadratic = curve.weights.x;
+    float linear = 2.0 * dot(curve.bend.xyz, offset) + ew_length_squared(curve.tangent.xyz);
+    float constant = dot(curve.tangent.xyz, offset);
+    vec3 roots;
+    if (quadratic == 0.0 && cubic > 0.0) {
+        roots = ew_cubic_roots(0.0, linear / cubic, constant / cubic);
+    } else {
+        // Nearly straight: the cubic's leading coefficient means nothing in single precision, Newton's method does.
+        float tau = -constant / linear;
+        for (int i = 0; i < 2; ++i)
+            tau -= (((cubic * tau + quadratic) * tau + linear) * tau + constant) /
+                   ((3.0 * cubic * tau + 2.0 * quadratic) * tau + linear);
+        roots = vec3(tau);
+    }
+    float candidates[5] = float[5](curve.tangent.w, curve.bend.w, roots.x, roots.y, roots.z);
+    float least = 1e38;
+    for (int i = 0; i < 5; ++i) {
+        float tau = clamp(candidates[i], curve.tangent.w, curve.bend.w);
+        float distance_squared = ew_length_squared(ew_curve_point(curve, tau) - position);
+        if (distance_squared < least) {
+            least = distance_squared;
+            nearest_tau = tau;
+        }
+    }
+    return least;
+}
+
+float ew_integrate_curve(ew_segment segment, ew_curve_block curve)
+{
+    int divisions = ew_frame.simpson.x;
+    float step_length = segment.end / float(divisions);
+    float sum = 0.0;
+    for (int i = 0; i <= divisions; ++i) {
+        float s = float(i) * step_length;
+        float tau;
+        float distance_squared = ew_nearest_on_curve(curve, segment.origin + s * segment.direction, tau);
+        float value = ew_simpson_weight(i, divisions) * ew_sample(distance_squared, s);
+#ifdef EW_WEIGHTS
+        if (curve.weights.z > 0.0) value *= ew_weight(tau - curve.tangent.w, curve.weights.y, curve.weights.z);
+#endif
+        sum += value;
+    }
+    return sum * step_length / 3.0;
+}
+#endif

@@ -1,0 +1,19 @@
+/* The uniform blocks as C sees them: the structures of glsl/layout.glsl. */
+#ifndef EW_LAYOUT_H
+#define EW_LAYOUT_H
+
+typedef struct ew_vec4 {
+    float x, y, z, w;
+} ew_vec4;
+
+typedef struct ew_ivec4 {
+    int x, y, z, w;
+} ew_ivec4;
+
+#define vec4 ew_vec4
+#define ivec4 ew_ivec4
+#include "../glsl/layout.glsl"
+#undef vec4
+#undef ivec4
+
+#endif

@@ -1,0 +1,576 @@
+/* Source lists: validate, bring to the camera in double precision, pack into uniform blocks. */
+#include "scene.h"
+
+#include "error.h"
+
+#include <math.h>
+#include <stdbool.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* The ranges inside which no intermediate result of the shader overflows a float or vanishes in one; lengths in intervals.
+ * They are far outside anything that could be seen. */
+#define MAX_COORDINATE 1e8
+#define MIN_EPSILON 1e-12
+#define MAX_COEFFICIENT 1e12
+#define MAX_COLOR 65504.0
+#define MIN_BETA 1e-6
+#define MAX_BETA 1e6
+
+/* A parabola's vertex farther than this from the arc, in lengths of the arc's parameter domain, is no longer taken as origin:
+ * the arc turns by less than 7 degrees then, and coordinates from the vertex would lose digits. */
+#define MAX_VERTEX_DISTANCE 4.0
+
+static double dot(const double a[3], const double b[3])
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+/* Scales first: the square of a length in range can be out of range. Returns false for a vector without direction. */
+static bool normalize(const double v[3], double unit[3])
+{
+    double largest = fmax(fabs(v[0]), fmax(fabs(v[1]), fabs(v[2])));
+    if (largest == 0) return false;
+    for (int i = 0; i < 3; ++i)
+        unit[i] = v[i] / largest;
+    double length = sqrt(dot(unit, unit));
+    for (int i = 0; i < 3; ++i)
+        unit[i] /= length;
+    return true;
+}
+
+static bool all_finite(const double *values, size_t count)
+{
+    for (size_t i = 0; i < count; ++i)
+        if (!isfinite(values[i])) return false;
+    return true;
+}
+
+/* ---- The scene ---- */
+
+static size_t smaller(size_t a, size_t b)
+{
+    return a < b ? a : b;
+}
+
+ew_capacity ew_scene_capacity(size_t block_size)
+{
+    return (ew_capacity){
+        .points = smaller(EW_MAX_POINTS, block_size / sizeof(struct ew_point_block)),
+        .lines = smaller(EW_MAX_LINES, block_size / sizeof(struct ew_line_block)),
+        .tori = smaller(EW_MAX_TORI, block_size / sizeof(struct ew_torus_block)),
+        .curves = smaller(EW_MAX_CURVES, block_size / sizeof(struct ew_curve_block)),
+        .weight_pieces = smaller(EW_MAX_WEIGHT_PIECES, block_size / sizeof(struct ew_weight_block)),
+    };
+}
+
+static ew_result check_vector(const char *list, size_t index, const char *field, const double v[3], ew_error *error)
+{
+    if (all_finite(v, 3)) return EW_OK;
+    return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "%s[%zu].%s must be finite", list, index, field);
+}
+
+static ew_result check_direction(const char *list, size_t index, const char *field, const double v[3], ew_error *error)
+{
+    double unit[3];
+    ew_result result = check_vector(list, index, field, v, error);
+    if (result != EW_OK || normalize(v, unit)) return result;
+    return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "%s[%zu].%s must not be zero", list, index, field);
+}
+
+static ew_result check_energy(const char *list, size_t index, double coefficient, const double color[3], ew_error *error)
+{
+    if (!(isfinite(coefficient) && coefficient >= 0))
+        return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "%s[%zu].coefficient must be finite and >= 0", list, index);
+    for (int i = 0; i < 3; ++i)
+        if (!(color[i] >= 0 && color[i] <= MAX_COLOR))
+            return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "%s[%zu].color must be in [0, %g]", list, index, MAX_COLOR);
+    return EW_OK;
+}
+
+static ew_result check_curve(size_t index, const ew_curve *curve, ew_error *error)
+{
+    if (!all_finite(&curve->polynomial[0][0], 9))
+        return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "curves[%zu].polynomial must be finite", index);
+    if (!all_finite(curve->domain, 2) || !(curve->domain[0] < curve->domain[1]) ||
+        !isfinite(curve->domain[1] - curve->domain[0]))
+        return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "curves[%zu].domain must be finite, its start less than its end",
+                       index);
+    if ((curve->weights == NULL) != (curve->weight_count == 0))
+        return ew_fail(error, EW_ERROR_INVALID_ARGUMENT,
+                       "curves[%zu].weights and weight_count must both be given, or be NULL and 0", index);
+    if (curve->weight_count > EW_MAX_WEIGHTS)
+        return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "curves[%zu].weight_count must be at most %d", index, EW_MAX_WEIGHTS);
+    for (size_t i = 0; i < curve->weight_count; ++i)
+        if (!(curve->weights[i] >= 0 && curve->weights[i] <= MAX_COEFFICIENT))
+            return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "curves[%zu].weights[%zu] must be in [0, %g]", index, i,
+                           MAX_COEFFICIENT);
+    return EW_OK;
+}
+
+static ew_result check_count(const char *list, const void *sources, size_t count, size_t capacity, ew_error *error)
+{
+    if (!sources && count > 0)
+        return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "%s must not be NULL with a count of %zu", list, count);
+    if (count > capacity)
+        return ew_fail(error, EW_ERROR_TOO_MANY_SOURCES, "%zu %s, but this context holds at most %zu", count, list, capacity);
+    return EW_OK;
+}
+
+static size_t weight_piece_count(size_t weight_count)
+{
+    if (weight_count == 0) return 0;
+    return weight_count > 2 ? weight_count - 2 : 1;
+}
+
+static ew_result validate_sources(const ew_sources_desc *sources, const ew_capacity *capacity, ew_error *error)
+{
+    ew_result result;
+    if (!sources) return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "sources must not be NULL");
+    if (!(isfinite(sources->epsilon) && sources->epsilon > 0))
+        return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "epsilon must be finite and > 0");
+    if ((result = check_count("points", sources->points, sources->point_count, capacity->points, error))) return result;
+    if ((result = check_count("lines", sources->lines, sources->line_count, capacity->lines, error))) return result;
+    if ((result = check_count("tori", sources->tori, sources->torus_count, capacity->tori, error))) return result;
+    if ((result = check_count("curves", sources->curves, sources->curve_count, capacity->curves, error))) return result;
+
+    for (size_t i = 0; i < sources->point_count; ++i) {
+        const ew_point *point = &sources->points[i];
+        if ((result = check_vector("points", i, "position", point->position, error))) return result;
+        if ((result = check_energy("points", i, point->coefficient, point->color, error))) return result;
+    }
+    for (size_t i = 0; i < sources->line_count; ++i) {
+        const ew_line *line = &sources->lines[i];
+        if ((result = check_vector("lines", i, "position", line->position, error))) return result;
+        if ((result = check_direction("lines", i, "direction", line->direction, error))) return result;
+        if ((result = check_energy("lines", i, line->coefficient, line->color, error))) return result;
+    }
+    for (size_t i = 0; i < sources->torus_count; ++i) {
+        const ew_torus *torus = &sources->tori[i];
+        if ((result = check_vector("tori", i, "center", torus->center, error))) return result;
+        if ((result = check_direction("tori", i, "axis", torus->axis, error))) return result;
+        if (!(isfinite(torus->radius) && torus->radius >= 0))
+            return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "tori[%zu].radius must be finite and >= 0", i);
+        if ((result = check_energy("tori", i, torus->coefficient, torus->color, error))) return result;
+    }
+    size_t weight_pieces = 0;
+    for (size_t i = 0; i < sources->curve_count; ++i) {
+        const ew_curve *curve = &sources->curves[i];
+        if ((result = check_curve(i, curve, error))) return result;
+        if ((result = check_energy("curves", i, curve->coefficient, curve->color, error))) return result;
+        weight_pieces += weight_piece_count(curve->weight_count);
+    }
+    if (weight_pieces > capacity->weight_pieces)
+        return ew_fail(error, EW_ERROR_TOO_MANY_SOURCES,
+                       "the curves' weights make %zu pieces, but this context holds at most %zu", weight_pieces,
+                       capacity->weight_pieces);
+    return EW_OK;
+}
+
+/* The pieces of S(t), equation (15), as polynomials of the place f in [0, 1] along each: the quadratic B-spline with the knots
+ * of (16), from its value and slope at the piece's start and its value at the end. */
+static void make_weight_pieces(const double *weights, size_t count, struct ew_weight_block *pieces)
+{
+    if (count < 3) {
+        double slope = count == 2 ? weights[1] - weights[0] : 0;
+        pieces[0].polynomial = (ew_vec4){(float)weights[0], (float)slope, 0, 0};
+        return;
+    }
+    for (size_t i = 0; i < count - 2; ++i) {
+        /* The distances between knots i + 1, ..., i + 4 in units of the piece's own length: 1, but 0 between the repeated ones
+         * at either end. */
+        double before = i == 0 ? 0 : 1;
+        double after = i == count - 3 ? 0 : 1;
+        double start = (weights[i] + weights[i + 1] * before) / (1 + before);
+        double slope = 2 * (weights[i + 1] - weights[i]) / (1 + before);
+        double end = (weights[i + 1] * after + weights[i + 2]) / (1 + after);
+        pieces[i].polynomial = (ew_vec4){(float)start, (float)slope, (float)(end - start - slope), 0};
+    }
+}
+
+/* Hands out the next `size` bytes of an allocation, or only counts them while there is none yet. */
+static void *carve(char *memory, size_t *used, size_t size)
+{
+    void *part = memory ? memory + *used : NULL;
+    *used += size;
+    return part;
+}
+
+static void *copy(void *target, const void *source, size_t size)
+{
+    if (target && size > 0) memcpy(target, source, size);
+    return target;
+}
+
+/* Lays the scene's arrays out in `memory` and copies the sources there; with NULL, only returns how much is needed. */
+static size_t lay_out(const ew_sources_desc *sources, char *memory, ew_scene *scene)
+{
+    size_t used = 0;
+    size_t points_size = sources->point_count * sizeof(ew_point);
+    size_t lines_size = sources->line_count * sizeof(ew_line);
+    size_t tori_size = sources->torus_count * sizeof(ew_torus);
+    size_t curves_size = sources->curve_count * sizeof(ew_curve);
+    scene->sources = *sources;
+    scene->sources.points = copy(carve(memory, &used, points_size), sources->points, points_size);
+    scene->sources.lines = copy(carve(memory, &used, lines_size), sources->lines, lines_size);
+    scene->sources.tori = copy(carve(memory, &used, tori_size), sources->tori, tori_size);
+    scene->sources.curves = copy(carve(memory, &used, curves_size), sources->curves, curves_size);
+    scene->points = carve(memory, &used, sources->point_count * sizeof(struct ew_point_block));
+    scene->lines = carve(memory, &used, sources->line_count * sizeof(struct ew_line_block));
+    scene->tori = carve(memory, &used, sources->torus_count * sizeof(struct ew_torus_block));
+    scene->curves = carve(memory, &used, sources->curve_count * sizeof(struct ew_curve_block));
+    scene->weight_piece_count = 0;
+    for (size_t i = 0; i < sources->curve_count; ++i)
+        scene->weight_piece_count += weight_piece_count(sources->curves[i].weight_count);
+    scene->weight_pieces = carve(memory, &used, scene->weight_piece_count * sizeof(struct ew_weight_block));
+    return used;
+}
+
+ew_result ew_scene_create(const ew_sources_desc *sources, const ew_capacity *capacity, ew_scene *scene, ew_error *error)
+{
+    ew_result result = validate_sources(sources, capacity, error);
+    if (result != EW_OK) return result;
+
+    ew_scene made = {0};
+    size_t size = lay_out(sources, NULL, &made);
+    if (size > 0) {
+        made.memory = malloc(size);
+        if (!made.memory) return ew_fail(error, EW_ERROR_OUT_OF_MEMORY, "no memory for %zu bytes of sources", size);
+        lay_out(sources, made.memory, &made);
+    }
+    struct ew_weight_block *pieces = made.weight_pieces;
+    for (size_t i = 0; i < sources->curve_count; ++i) {
+        size_t count = sources->curves[i].weight_count;
+        if (count > 0) make_weight_pieces(sources->curves[i].weights, count, pieces);
+        pieces += weight_piece_count(count);
+    }
+    *scene = made;
+    return EW_OK;
+}
+
+void ew_scene_destroy(ew_scene *scene)
+{
+    free(scene->memory);
+    *scene = (ew_scene){0};
+}
+
+/* ---- The frame ---- */
+
+/* A column-major matrix's element. */
+static double element(const double matrix[16], int row, int column)
+{
+    return matrix[4 * column + row];
+}
+
+static bool is_rigid(const double view[16])
+{
+    /* Loose enough for a host that keeps its matrices in floats. */
+    const double tolerance = 1e-4;
+    for (int i = 0; i < 3; ++i) {
+        if (element(view, 3, i) != 0) return false;
+        for (int j = 0; j <= i; ++j)
+            if (!(fabs(dot(&view[4 * i], &view[4 * j]) - (i == j)) <= tolerance)) return false;
+    }
+    return element(view, 3, 3) == 1;
+}
+
+static bool is_parallel(const double projection[16])
+{
+    return element(projection, 3, 2) == 0;
+}
+
+static ew_result validate_projection(const ew_frame_desc *frame, ew_error *error)
+{
+    const double *p = frame->projection;
+    double w = is_parallel(p) ? element(p, 3, 3) : -element(p, 3, 2);
+    bool other_w = element(p, 3, 0) != 0 || element(p, 3, 1) != 0 || (!is_parallel(p) && element(p, 3, 3) != 0);
+    if (!all_finite(p, 16) || other_w || !(w > 0))
+        return ew_fail(
+            error, EW_ERROR_INVALID_ARGUMENT,
+            "projection must be finite, its last row (0, 0, -w, 0) for perspective or (0, 0, 0, w) for parallel, w > 0");
+    if (element(p, 0, 0) * element(p, 1, 1) - element(p, 0, 1) * element(p, 1, 0) == 0)
+        return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "projection must not flatten x and y");
+    if (!is_parallel(p) && !(frame->interval_start > 0))
+        return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "interval_start must be > 0 for a perspective projection");
+    return EW_OK;
+}
+
+static bool in_enum(int value, int last)
+{
+    return value >= 0 && value <= last;
+}
+
+ew_result ew_validate_frame(const ew_frame_desc *frame, ew_error *error)
+{
+    if (!frame) return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "frame must not be NULL");
+    if (!all_finite(frame->view, 16) || !is_rigid(frame->view))
+        return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "view must be finite, a rotation and a translation");
+    if (!isfinite(frame->interval_start) || !isfinite(frame->interval_end) || !(frame->interval_start < frame->interval_end) ||
+        !isfinite(frame->interval_end - frame->interval_start))
+        return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "interval_start must be less than interval_end, both finite");
+    ew_result result = validate_projection(frame, error);
+    if (result != EW_OK) return result;
+    if (!(frame->decay_alpha >= 0 && frame->decay_alpha <= MAX_COEFFICIENT))
+        return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "decay_alpha must be in [0, %g]", MAX_COEFFICIENT);
+    if (!(frame->decay_beta >= MIN_BETA && frame->decay_beta <= MAX_BETA))
+        return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "decay_beta must be in [%g, %g]", MIN_BETA, MAX_BETA);
+    if (!in_enum((int)frame->clip_depth, EW_CLIP_DEPTH_ZERO_TO_ONE))
+        return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "clip_depth must be one of ew_clip_depth");
+    if (!in_enum((int)frame->integrator, EW_INTEGRATOR_SIMPSON))
+        return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "integrator must be one of ew_integrator");
+    if (!in_enum((int)frame->quality, EW_QUALITY_ERROR_1E_4))
+        return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "quality must be one of ew_quality");
+    if (!in_enum((int)frame->output, EW_OUTPUT_EVALUATIONS))
+        return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "output must be one of ew_output");
+    if (frame->integrator == EW_INTEGRATOR_SIMPSON && (frame->simpson_divisions < 2 || frame->simpson_divisions % 2 != 0 ||
+                                                       frame->simpson_divisions > EW_MAX_SIMPSON_DIVISIONS))
+        return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "simpson_divisions must be even, from 2 to %d",
+                       EW_MAX_SIMPSON_DIVISIONS);
+    if (frame->viewport_width <= 0 || frame->viewport_height <= 0)
+        return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "viewport_width and viewport_height must be > 0");
+    return EW_OK;
+}
+
+/* ---- Packing ---- */
+
+/* World space to ray space (see glsl/layout.glsl). */
+typedef struct ray_space {
+    const double *view;
+    double start;  /* view depth of the anchor */
+    double length; /* of the interval, world units */
+} ray_space;
+
+static void to_ray_space(const ray_space *space, const double world[3], double out[3])
+{
+    for (int row = 0; row < 3; ++row) {
+        double sum = element(space->view, row, 3);
+        for (int column = 0; column < 3; ++column)
+            sum += element(space->view, row, column) * world[column];
+        if (row == 2) sum += space->start;
+        out[row] = sum / space->length;
+    }
+}
+
+static void rotate(const ray_space *space, const double world[3], double out[3])
+{
+    for (int row = 0; row < 3; ++row) {
+        out[row] = 0;
+        for (int column = 0; column < 3; ++column)
+            out[row] += element(space->view, row, column) * world[column];
+    }
+}
+
+static ew_vec4 pack(const double v[3], double w)
+{
+    return (ew_vec4){(float)v[0], (float)v[1], (float)v[2], (float)w};
+}
+
+static ew_result check_coordinates(const char *list, size_t index, const double v[3], ew_error *error)
+{
+    for (int i = 0; i < 3; ++i)
+        if (!(fabs(v[i]) <= MAX_COORDINATE))
+            return ew_fail(error, EW_ERROR_INVALID_ARGUMENT,
+                           "%s[%zu] is more than %g times the interval's length away from the camera or as large", list, index,
+                           MAX_COORDINATE);
+    return EW_OK;
+}
+
+/* d ds = (length d') (ds), so that a coefficient over the interval's length makes B what it is in world units. */
+static ew_result scale_coefficient(const char *list, size_t index, const ray_space *space, const ew_frame_desc *frame,
+                                   double coefficient, double *scaled, ew_error *error)
+{
+    *scaled = coefficient * frame->decay_alpha / space->length;
+    if (*scaled <= MAX_COEFFICIENT) return EW_OK;
+    return ew_fail(error, EW_ERROR_INVALID_ARGUMENT,
+                   "%s[%zu].coefficient times decay_alpha over the interval's length must be at most %g", list, index,
+                   MAX_COEFFICIENT);
+}
+
+static void pack_line(const ray_space *space, const ew_line *line, double position[3], double direction[3])
+{
+    double world_direction[3];
+    normalize(line->direction, world_direction);
+    rotate(space, world_direction, direction);
+    to_ray_space(space, line->position, position);
+    double along = dot(position, direction);
+    for (int i = 0; i < 3; ++i)
+        position[i] -= along * direction[i];
+}
+
+/* The arc over u in [0, 1], t = domain[0] + u (domain[1] - domain[0]), in ray space; then about its vertex or middle. */
+static void pack_curve(const ray_space *space, const ew_curve *curve, struct ew_curve_block *block, double origin[3],
+                       double tangent[3], double bend[3])
+{
+    double t0 = curve->domain[0], length = curve->domain[1] - curve->domain[0];
+    double world_origin[3], world_tangent[3], world_bend[3], start[3], start_tangent[3];
+    for (int i = 0; i < 3; ++i) {
+        double c0 = curve->polynomial[0][i], c1 = curve->polynomial[1][i], c2 = curve->polynomial[2][i];
+        world_origin[i] = c0 + t0 * (c1 + t0 * c2);
+        world_tangent[i] = (c1 + 2 * t0 * c2) * length / space->length;
+        world_bend[i] = c2 * length * length / space->length;
+    }
+    to_ray_space(space, world_origin, start);
+    rotate(space, world_tangent, start_tangent);
+    rotate(space, world_bend, bend);
+
+    double vertex = 0.5;
+    bool at_vertex = false;
+    if (dot(bend, bend) > 0) {
+        double u = -dot(start_tangent, bend) / (2 * dot(bend, bend));
+        at_vertex = u >= -MAX_VERTEX_DISTANCE && u <= 1 + MAX_VERTEX_DISTANCE;
+        if (at_vertex) vertex = u;
+    }
+    for (int i = 0; i < 3; ++i) {
+        origin[i] = start[i] + vertex * (start_tangent[i] + vertex * bend[i]);
+        tangent[i] = start_tangent[i] + 2 * vertex * bend[i];
+    }
+    block->tangent = pack(tangent, -vertex);
+    block->bend = pack(bend, 1 - vertex);
+    block->weights.x = at_vertex ? 0.0f : (float)(3 * dot(tangent, bend));
+}
+
+static ew_result pack_sources(ew_scene *scene, const ew_frame_desc *frame, const ray_space *space, ew_error *error)
+{
+    const ew_sources_desc *sources = &scene->sources;
+    ew_result result;
+    double coefficient, position[3], direction[3];
+    for (size_t i = 0; i < sources->point_count; ++i) {
+        const ew_point *point = &sources->points[i];
+        to_ray_space(space, point->position, position);
+        if ((result = check_coordinates("points", i, position, error))) return result;
+        if ((result = scale_coefficient("points", i, space, frame, point->coefficient, &coefficient, error))) return result;
+        scene->points[i] = (struct ew_point_block){pack(position, coefficient), pack(point->color, 0)};
+    }
+    for (size_t i = 0; i < sources->line_count; ++i) {
+        const ew_line *line = &sources->lines[i];
+        pack_line(space, line, position, direction);
+        if ((result = check_coordinates("lines", i, position, error))) return result;
+        if ((result = scale_coefficient("lines", i, space, frame, line->coefficient, &coefficient, error))) return result;
+        scene->lines[i] = (struct ew_line_block){pack(position, coefficient), pack(direction, 0), pack(line->color, 0)};
+    }
+    for (size_t i = 0; i < sources->torus_count; ++i) {
+        const ew_torus *torus = &sources->tori[i];
+        double axis[3], radius = torus->radius / space->length;
+        to_ray_space(space, torus->center, position);
+        normalize(torus->axis, axis);
+        rotate(space, axis, direction);
+        if ((result = check_coordinates("tori", i, position, error))) return result;
+        if ((result = check_coordinates("tori", i, (double[]){radius, 0, 0}, error))) return result;
+        if ((result = scale_coefficient("tori", i, space, frame, torus->coefficient, &coefficient, error))) return result;
+        scene->tori[i] = (struct ew_torus_block){pack(position, coefficient), pack(direction, radius), pack(torus->color, 0)};
+    }
+    size_t first_piece = 0;
+    for (size_t i = 0; i < sources->curve_count; ++i) {
+        const ew_curve *curve = &sources->curves[i];
+        struct ew_curve_block *block = &scene->curves[i];
+        double origin[3], tangent[3], bend[3];
+        size_t pieces = weight_piece_count(curve->weight_count);
+        pack_curve(space, curve, block, origin, tangent, bend);
+        if ((result = check_coordinates("curves", i, origin, error))) return result;
+        if ((result = check_coordinates("curves", i, tangent, error))) return result;
+        if ((result = check_coordinates("curves", i, bend, error))) return result;
+        if ((result = scale_coefficient("curves", i, space, frame, curve->coefficient, &coefficient, error))) return result;
+        block->origin = pack(origin, coefficient);
+        block->color = pack(curve->color, 0);
+        block->weights.y = (float)first_piece;
+        block->weights.z = (float)pieces;
+        block->weights.w = 0;
+        first_piece += pieces;
+    }
+    return EW_OK;
+}
+
+/* Where the ray through NDC (x, y) is at view depth `depth`, in view space. */
+static void ray_at(const double projection[16], double x, double y, double depth, double out[2])
+{
+    double w = is_parallel(projection) ? element(projection, 3, 3) : -element(projection, 3, 2) * depth;
+    double right[2], ndc[2] = {x, y};
+    for (int row = 0; row < 2; ++row)
+        right[row] = ndc[row] * w + element(projection, row, 2) * depth - element(projection, row, 3);
+    double a = element(projection, 0, 0), b = element(projection, 0, 1);
+    double c = element(projection, 1, 0), d = element(projection, 1, 1);
+    double determinant = a * d - b * c;
+    out[0] = (d * right[0] - b * right[1]) / determinant;
+    out[1] = (a * right[1] - c * right[0]) / determinant;
+}
+
+/* Window depth at view depth `depth` on the ray through NDC (x, y). */
+static double window_depth_at(const ew_frame_desc *frame, double x, double y, double depth)
+{
+    const double *p = frame->projection;
+    double position[2];
+    ray_at(p, x, y, depth, position);
+    double w = is_parallel(p) ? element(p, 3, 3) : -element(p, 3, 2) * depth;
+    double ndc_depth =
+        (element(p, 2, 0) * position[0] + element(p, 2, 1) * position[1] - element(p, 2, 2) * depth + element(p, 2, 3)) / w;
+    return frame->clip_depth == EW_CLIP_DEPTH_ZERO_TO_ONE ? ndc_depth : 0.5 * ndc_depth + 0.5;
+}
+
+static ew_vec4 pack_window_depth(const ew_frame_desc *frame, double depth)
+{
+    double center = window_depth_at(frame, 0, 0, depth);
+    double right = window_depth_at(frame, 2.0 / frame->viewport_width, 0, depth) - center;
+    double up = window_depth_at(frame, 0, 2.0 / frame->viewport_height, depth) - center;
+    float rounded = (float)center;
+    return (ew_vec4){rounded, (float)(center - (double)rounded), (float)right, (float)up};
+}
+
+static void pack_rays(const ew_frame_desc *frame, const ray_space *space, struct ew_frame_block *block)
+{
+    const double *p = frame->projection;
+    double ndc[3][2] = {{0, 0}, {2.0 / frame->viewport_width, 0}, {0, 2.0 / frame->viewport_height}};
+    double ray[3][4];
+    for (int i = 0; i < 3; ++i) {
+        double start[2], end[2];
+        ray_at(p, ndc[i][0], ndc[i][1], frame->interval_start, start);
+        ray_at(p, ndc[i][0], ndc[i][1], frame->interval_end, end);
+        for (int j = 0; j < 2; ++j) {
+            ray[i][j] = start[j] / space->length;
+            ray[i][2 + j] = (end[j] - start[j]) / space->length;
+        }
+    }
+    block->pixel_center = (ew_vec4){(float)(frame->viewport_x + 0.5 * frame->viewport_width),
+                                    (float)(frame->viewport_y + 0.5 * frame->viewport_height), 0, 0};
+    ew_vec4 *columns[3] = {&block->ray_center, &block->ray_right, &block->ray_up};
+    for (int i = 0; i < 3; ++i) {
+        double origin[4] = {0};
+        if (i > 0) memcpy(origin, ray[0], sizeof origin);
+        *columns[i] = (ew_vec4){(float)(ray[i][0] - origin[0]), (float)(ray[i][1] - origin[1]), (float)(ray[i][2] - origin[2]),
+                                (float)(ray[i][3] - origin[3])};
+    }
+
+    block->depth_start = pack_window_depth(frame, frame->interval_start);
+    block->depth_end = pack_window_depth(frame, frame->interval_end);
+    double w_start = is_parallel(p) ? 1 : frame->interval_start / frame->interval_end;
+    double sign =
+        window_depth_at(frame, 0, 0, frame->interval_start) < window_depth_at(frame, 0, 0, frame->interval_end) ? 1 : -1;
+    block->depth_scale = (ew_vec4){(float)(sign * w_start), (float)sign, 0, 0};
+}
+
+static double relative_error(ew_quality quality)
+{
+    static const double errors[] = {
+        [EW_QUALITY_ERROR_1E_2] = 1e-2, [EW_QUALITY_ERROR_1E_3] = 1e-3, [EW_QUALITY_ERROR_1E_4] = 1e-4};
+    return errors[quality];
+}
+
+ew_result ew_scene_pack(ew_scene *scene, const ew_frame_desc *frame, struct ew_frame_block *block, ew_error *error)
+{
+    ray_space space = {frame->view, frame->interval_start, frame->interval_end - frame->interval_start};
+    double epsilon = scene->sources.epsilon / space.length;
+    if (!(epsilon >= MIN_EPSILON && epsilon <= MAX_COORDINATE))
+        return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "epsilon over the interval's length must be in [%g, %g]", MIN_EPSILON,
+                       MAX_COORDINATE);
+    ew_result result = pack_sources(scene, frame, &space, error);
+    if (result != EW_OK) return result;
+
+    *block = (struct ew_frame_block){0};
+    pack_rays(frame, &space, block);
+    block->decay = (ew_vec4){(float)frame->decay_beta, (float)(1 / frame->decay_beta), (float)epsilon,
+                             (float)relative_error(frame->quality)};
+    block->source_count = (ew_ivec4){(int)scene->sources.point_count, (int)scene->sources.line_count,
+                                     (int)scene->sources.torus_count, (int)scene->sources.curve_count};
+    block->simpson.x = frame->simpson_divisions;
+    return EW_OK;
+}
