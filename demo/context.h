@@ -6,7 +6,7 @@
 #define CONTEXT_H
 
 #include "energywave.h"
-#include "gl.h"
+#include "gl_functions.h"
 
 #include <stdbool.h>
 #include <stddef.h>

@@ -3,8 +3,8 @@
  * OSMesa context at once can share neither the linker's idea of `glClear` nor that of a loader such as libepoxy, which
  * resolves a name once for the whole process: the two contexts' functions come from different libraries.
  */
-#ifndef GL_H
-#define GL_H
+#ifndef GL_FUNCTIONS_H
+#define GL_FUNCTIONS_H
 
 #include <GL/glcorearb.h>
 

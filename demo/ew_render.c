@@ -1,0 +1,234 @@
+/*
+ * ew-render: a scene file becomes a picture.
+ */
+#include "context.h"
+#include "image.h"
+#include "message.h"
+#include "render.h"
+#include "scene_file.h"
+
+#include <ctype.h>
+#include <errno.h>
+#include <getopt.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { EXIT_BAD_INPUT = 2 };
+
+static const char help[] = "Usage: ew-render SCENE.json [-o PICTURE] [--luminance FILE.pfm] [option]...\n"
+                           "Renders a scene of energy waves and opaque shapes, without a window.\n"
+                           "\n"
+                           "  -o, --output FILE       the picture: .png (8 bit, sRGB), .hdr or .pfm (linear floats)\n"
+                           "      --luminance FILE    B, the energy's light before compositing: .pfm, one float a pixel\n"
+                           "      --size WxH          in pixels, up to 8192x8192 (default 640x360)\n"
+                           "      --integrator NAME   adaptive, or with its largest relative error as in adaptive:1e-2,\n"
+                           "                          adaptive:1e-3 (default), adaptive:1e-4; or simpson:N, N divisions\n"
+                           "      --backend NAME      egl, osmesa or auto (default): EGL or else OSMesa\n"
+                           "  -h, --help              print this help\n"
+                           "      --version           print the version\n"
+                           "\n"
+                           "Prints the GL it used. Exit status: 0, or 2 with one line of what to mend on standard error.\n";
+
+typedef struct command_line {
+    const char *scene;
+    const char *output;    /* NULL for none */
+    const char *luminance; /* NULL for none */
+    render_settings settings;
+    context_backend backend;
+} command_line;
+
+/* Returns whether `text` is a number of 1 to 9 digits, and that number. */
+static bool read_count(const char *text, const char **end, int *count)
+{
+    char *stop;
+    if (!isdigit((unsigned char)text[0])) return false;
+    unsigned long value = strtoul(text, &stop, 10);
+    if (stop - text > 9) return false;
+    *end = stop;
+    *count = (int)value;
+    return true;
+}
+
+static bool read_size(const char *text, render_settings *settings)
+{
+    const char *end;
+    return read_count(text, &end, &settings->width) && *end == 'x' && read_count(end + 1, &end, &settings->height) &&
+           *end == '\0' && settings->width >= 1 && settings->width <= RENDER_MAX_SIDE && settings->height >= 1 &&
+           settings->height <= RENDER_MAX_SIDE;
+}
+
+static bool read_integrator(const char *text, render_settings *settings)
+{
+    static const struct {
+        const char *name;
+        ew_quality quality;
+    } adaptive[] = {{"adaptive", EW_QUALITY_ERROR_1E_3},
+                    {"adaptive:1e-2", EW_QUALITY_ERROR_1E_2},
+                    {"adaptive:1e-3", EW_QUALITY_ERROR_1E_3},
+                    {"adaptive:1e-4", EW_QUALITY_ERROR_1E_4}};
+    static const char simpson[] = "simpson:";
+    for (size_t i = 0; i < sizeof adaptive / sizeof *adaptive; i++)
+        if (strcmp(text, adaptive[i].name) == 0) {
+            settings->integrator = EW_INTEGRATOR_ADAPTIVE;
+            settings->quality = adaptive[i].quality;
+            return true;
+        }
+    const char *end;
+    int divisions;
+    if (strncmp(text, simpson, sizeof simpson - 1) != 0) return false;
+    if (!read_count(text + sizeof simpson - 1, &end, &divisions) || *end != '\0') return false;
+    if (divisions < 2 || divisions > EW_MAX_SIMPSON_DIVISIONS || divisions % 2 != 0) return false;
+    settings->integrator = EW_INTEGRATOR_SIMPSON;
+    settings->simpson_divisions = divisions;
+    return true;
+}
+
+static bool read_backend(const char *text, context_backend *backend)
+{
+    for (int i = 0; context_backend_names[i]; i++)
+        if (strcmp(text, context_backend_names[i]) == 0) {
+            *backend = (context_backend)i;
+            return true;
+        }
+    return false;
+}
+
+/* The checks that need more than one option. */
+static bool check_options(const command_line *options, char *message, size_t size)
+{
+    if (!options->scene)
+        message_write(message, size, "no scene file is given; name one, as in ew-render scene.json -o picture.png");
+    else if (!options->output && !options->luminance)
+        message_write(message, size, "%s: no output is asked for; add -o picture.png", options->scene);
+    else if (options->output && image_format_of(options->output) == IMAGE_UNKNOWN)
+        message_write(message, size, "%s: is of no known format; let its name end in .png, .hdr or .pfm", options->output);
+    else if (options->luminance && image_format_of(options->luminance) != IMAGE_PFM)
+        message_write(message, size, "%s: a luminance is written as .pfm; let its name end so", options->luminance);
+    else if (options->output && options->luminance && strcmp(options->output, options->luminance) == 0)
+        message_write(message, size, "%s: is both the picture's and the luminance's name; give one another", options->output);
+    else
+        return true;
+    return false;
+}
+
+enum { OPTION_SIZE = 256, OPTION_LUMINANCE, OPTION_INTEGRATOR, OPTION_BACKEND, OPTION_HELP, OPTION_VERSION };
+
+static const struct option long_options[] = {{"output", required_argument, NULL, 'o'},
+                                             {"size", required_argument, NULL, OPTION_SIZE},
+                                             {"luminance", required_argument, NULL, OPTION_LUMINANCE},
+                                             {"integrator", required_argument, NULL, OPTION_INTEGRATOR},
+                                             {"backend", required_argument, NULL, OPTION_BACKEND},
+                                             {"help", no_argument, NULL, OPTION_HELP},
+                                             {"version", no_argument, NULL, OPTION_VERSION},
+                                             {NULL, 0, NULL, 0}};
+
+/* Returns false with a message, or with an empty one where the options asked for a text that has been printed. */
+static bool read_options(int argc, char **argv, command_line *options, char *message, size_t size)
+{
+    int option;
+    message[0] = '\0';
+    opterr = 0;
+    while ((option = getopt_long(argc, argv, ":o:h", long_options, NULL)) != -1) {
+        bool ok = true;
+        const char *remedy = "";
+        switch (option) {
+        case 'o':
+            options->output = optarg;
+            break;
+        case OPTION_LUMINANCE:
+            options->luminance = optarg;
+            break;
+        case OPTION_SIZE:
+            ok = read_size(optarg, &options->settings);
+            remedy = "--size: must be WIDTHxHEIGHT, each from 1 to 8192, as in 640x360";
+            break;
+        case OPTION_INTEGRATOR:
+            ok = read_integrator(optarg, &options->settings);
+            remedy = "--integrator: must be adaptive, adaptive:1e-2, adaptive:1e-3, adaptive:1e-4 or simpson:N, N even";
+            break;
+        case OPTION_BACKEND:
+            ok = read_backend(optarg, &options->backend);
+            remedy = "--backend: must be auto, egl or osmesa";
+            break;
+        case OPTION_HELP:
+        case 'h':
+            fputs(help, stdout);
+            return false;
+        case OPTION_VERSION:
+            printf("ew-render %d.%d.%d\n", EW_VERSION_MAJOR, EW_VERSION_MINOR, EW_VERSION_PATCH);
+            return false;
+        case ':':
+            message_write(message, size, "%s: needs a value; see ew-render --help", argv[optind - 1]);
+            return false;
+        default:
+            /* A bad short option stands in optopt, perhaps amid others; a long one is the whole argument. */
+            if (optopt > 0 && optopt < 256)
+                message_write(message, size, "-%c: is not an option; see ew-render --help", optopt);
+            else
+                message_write(message, size, "%s: is not an option; see ew-render --help", argv[optind - 1]);
+            return false;
+        }
+        if (!ok) {
+            message_write(message, size, "%s, not \"%s\"", remedy, optarg);
+            return false;
+        }
+    }
+    if (optind < argc) options->scene = argv[optind++];
+    if (optind < argc) {
+        message_write(message, size, "%s: is one scene too many; render them one by one", argv[optind]);
+        return false;
+    }
+    return check_options(options, message, size);
+}
+
+/* Draws the scene and prints which GL did. */
+static bool render(const command_line *options, const ew_scene *scene, float *color, float *luminance, char *message,
+                   size_t size)
+{
+    gl_context *context = context_create(options->backend, message, size);
+    if (!context) return false;
+    char reason[300];
+    puts(context_description(context));
+    bool ok = render_scene(context, scene, &options->settings, color, luminance, reason, sizeof reason);
+    if (!ok) message_write(message, size, "%s: %s", options->scene, reason);
+    context_destroy(context);
+    return ok;
+}
+
+static bool render_to_files(const command_line *options, char *message, size_t size)
+{
+    ew_scene scene;
+    if (!scene_load(options->scene, &scene, message, size)) return false;
+    const render_settings *settings = &options->settings;
+    size_t pixels = (size_t)settings->width * (size_t)settings->height;
+    float *color = options->output ? malloc(pixels * 4 * sizeof *color) : NULL;
+    float *luminance = options->luminance ? malloc(pixels * sizeof *luminance) : NULL;
+    bool ok = false;
+    if ((options->output && !color) || (options->luminance && !luminance)) {
+        message_write(message, size, "--size: the picture does not fit into memory; ask for a smaller one");
+    } else if (render(options, &scene, color, luminance, message, size)) {
+        image_pixels picture = {settings->width, settings->height, 4, color};
+        image_pixels light = {settings->width, settings->height, 1, luminance};
+        ok = (!color || image_write(options->output, &picture, message, size)) &&
+             (!luminance || image_write(options->luminance, &light, message, size));
+    }
+    free(color);
+    free(luminance);
+    scene_free(&scene);
+    return ok;
+}
+
+int main(int argc, char **argv)
+{
+    command_line options = {.settings = {640, 360, EW_INTEGRATOR_ADAPTIVE, EW_QUALITY_ERROR_1E_3, 200},
+                            .backend = CONTEXT_AUTO};
+    char message[600];
+    /* Mesa's EGL would add lines of its own to the one that says why there is no context. */
+    setenv("EGL_LOG_LEVEL", "fatal", 0);
+    if (read_options(argc, argv, &options, message, sizeof message) && render_to_files(&options, message, sizeof message))
+        return EXIT_SUCCESS;
+    if (message[0] == '\0') return EXIT_SUCCESS;
+    fprintf(stderr, "ew-render: %s\n", message);
+    return EXIT_BAD_INPUT;
+}

@@ -1,0 +1,49 @@
+/*
+ * A scene file's picture: the opaque shapes, and the effect over them as a game would draw it. The parts are here too, for
+ * programs that draw the effect more than once.
+ */
+#ifndef RENDER_H
+#define RENDER_H
+
+#include "context.h"
+#include "scene_file.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+
+/* The largest width and height of a picture. */
+#define RENDER_MAX_SIDE 8192
+
+typedef struct render_settings {
+    int width; /* 1 .. RENDER_MAX_SIDE */
+    int height;
+    ew_integrator integrator;
+    ew_quality quality;    /* of EW_INTEGRATOR_ADAPTIVE */
+    int simpson_divisions; /* of EW_INTEGRATOR_SIMPSON */
+} render_settings;
+
+/* Where a picture comes to be. The effect reads the depth texture, so its framebuffers have none attached. */
+typedef struct render_target {
+    GLuint color;                 /* RGBA32F, linear */
+    GLuint depth;                 /* DEPTH_COMPONENT32F */
+    GLuint luminance;             /* R32F */
+    GLuint opaque_framebuffer;    /* colour and depth */
+    GLuint effect_framebuffer;    /* colour */
+    GLuint luminance_framebuffer; /* luminance */
+} render_target;
+
+/* Makes a target of the settings' size. On failure returns false, with a message and nothing to destroy. */
+bool render_create_target(const gl_functions *gl, const render_settings *settings, render_target *target, char *message,
+                          size_t size);
+
+void render_destroy_target(const gl_functions *gl, render_target *target);
+
+/* The frame that draws the scene's effect onto the target's colour. */
+ew_frame_desc render_frame(const ew_scene *scene, const render_settings *settings, const render_target *target);
+
+/* Draws the scene on `context`. `color` receives 4 floats a pixel, linear RGB and opacity; `luminance`, B: one float a pixel.
+ * Rows from the bottom up; either may be NULL. On failure returns false, with a message: "place: what to mend". */
+bool render_scene(gl_context *context, const ew_scene *scene, const render_settings *settings, float *color, float *luminance,
+                  char *message, size_t size);
+
+#endif
