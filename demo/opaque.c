@@ -214,10 +214,10 @@ static const char fragment_shader[] = "#version 330 core\n"
                                       "void main() {\n"
                                       "    vec3 n = normalize(surface_normal) * (gl_FrontFacing ? 1.0 : -1.0);\n"
                                       "    vec3 key = normalize(vec3(-0.5, 0.0, 0.45) + 0.8 * up);\n"
-                                      "    float sky = mix(0.06, 0.2, 0.5 + 0.5 * dot(n, up));\n"
-                                      "    vec3 lit = surface_color * (sky + 0.5 * max(0.0, dot(n, key)));\n"
+                                      "    float sky = mix(0.05, 0.16, 0.5 + 0.5 * dot(n, up));\n"
+                                      "    vec3 lit = surface_color * (sky + 0.45 * max(0.0, dot(n, key)));\n"
                                       "    float haze = clamp((depth - near) / (far - near), 0.0, 1.0);\n"
-                                      "    result = vec4(mix(lit, background, haze * haze), 1.0);\n"
+                                      "    result = vec4(mix(lit, background, haze * (2.0 - haze)), 1.0);\n"
                                       "}\n";
 
 static const char *const attributes[] = {"position", "normal", "color"};

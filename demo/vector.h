@@ -43,17 +43,18 @@ static inline double vector_length(const double a[3])
     return sqrt(vector_dot(a, a));
 }
 
-/* Brings `a` to unit length; false, and `result` untouched, if it has no direction. The largest component is divided out
+/* Brings `a` to unit length; false, and a result of zero, if it has no direction. The largest component is divided out
  * first, so that lengths whose squares overflow or underflow are as good as any. */
 static inline bool vector_normalize(const double a[3], double result[3])
 {
     double largest = fmax(fabs(a[0]), fmax(fabs(a[1]), fabs(a[2])));
-    if (!(largest > 0)) return false;
-    double scaled[3] = {a[0] / largest, a[1] / largest, a[2] / largest};
-    double length = vector_length(scaled);
+    bool has_direction = largest > 0;
     for (int i = 0; i < 3; i++)
-        result[i] = scaled[i] / length;
-    return true;
+        result[i] = has_direction ? a[i] / largest : 0;
+    double length = has_direction ? vector_length(result) : 1;
+    for (int i = 0; i < 3; i++)
+        result[i] /= length;
+    return has_direction;
 }
 
 #endif
