@@ -425,6 +425,10 @@ static void read_interval(reader *r, const value *root, ew_scene *scene)
     place end_place = {&object.at, "end", 0};
     if (!(scene->interval_end > scene->interval_start))
         fail(r, &end_place, "must be more than start, which is %g, but is %g", scene->interval_start, scene->interval_end);
+    /* What is beyond the far plane is cut off, as if an opaque wall stood there. */
+    if (scene->interval_end > scene->camera.far_depth)
+        fail(r, &end_place, "must not be beyond the camera's far plane at %g, but is %g", scene->camera.far_depth,
+             scene->interval_end);
 }
 
 static void read_decay(reader *r, const value *root, ew_scene *scene)

@@ -4,7 +4,7 @@
  *
  *     { "version": 1, "comment": "free text",
  *       "camera": { "eye": [0,0,8], "target": [0,0,0], "up": [0,1,0], "fov_y_degrees": 45, "near": 0.1, "far": 100 },
- *       "interval": { "start": 3, "end": 15 },                               by default from near to far
+ *       "interval": { "start": 3, "end": 15 },                               by default from near to far, the farthest
  *       "decay": { "alpha": 1, "beta": 1 }, "epsilon": 0.001,
  *       "background": [0,0,0], "color": [0.2,0.5,1], "composite": "lerp",    or "add"
  *       "points": [ { "position": [..], "coefficient": 1, "color": [..] } ],
