@@ -6,60 +6,125 @@
 #include "state_guard.h"
 
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
+
+/* The kinds of sources, in the order of their fields in a key. */
+enum { POINTS, LINES, TORI, CURVES, KIND_COUNT };
+
+static int count_shift(int kind)
+{
+    return EW_PROGRAM_FLAG_COUNT + kind * EW_PROGRAM_COUNT_BITS;
+}
+
+static unsigned count_of(unsigned key, int kind)
+{
+    return key >> count_shift(kind) & ((1u << EW_PROGRAM_COUNT_BITS) - 1);
+}
 
 unsigned ew_program_key(const ew_scene *scene, const ew_frame_desc *frame)
 {
+    const ew_sources_desc *sources = &scene->sources;
+    const size_t counts[KIND_COUNT] = {sources->point_count, sources->line_count, sources->torus_count, sources->curve_count};
     unsigned key = 0;
-    if (scene->sources.point_count > 0) key |= EW_PROGRAM_POINTS;
-    if (scene->sources.line_count > 0) key |= EW_PROGRAM_LINES;
-    if (scene->sources.torus_count > 0) key |= EW_PROGRAM_TORI;
-    if (scene->sources.curve_count > 0) key |= EW_PROGRAM_CURVES;
     if (scene->weight_piece_count > 0) key |= EW_PROGRAM_WEIGHTS;
     if (frame->depth_texture) key |= EW_PROGRAM_DEPTH;
     if (frame->integrator == EW_INTEGRATOR_SIMPSON) key |= EW_PROGRAM_SIMPSON;
     if (frame->output == EW_OUTPUT_LUMINANCE) key |= EW_PROGRAM_LUMINANCE;
     if (frame->output == EW_OUTPUT_EVALUATIONS) key |= EW_PROGRAM_EVALUATIONS;
+    for (int kind = 0; kind < KIND_COUNT; ++kind) {
+        size_t count = counts[kind] <= EW_PROGRAM_MAX_UNROLLED ? counts[kind] : EW_PROGRAM_MAX_UNROLLED + 1;
+        key |= (unsigned)count << count_shift(kind);
+    }
     return key;
 }
 
-/* The files of a fragment shader, in order; `needs` are the key's bits of which one must be set (0: always), `without` those
- * that must not be. */
+/* The files of a fragment shader, in order, and which permutations need each. */
+static bool always(unsigned key)
+{
+    (void)key;
+    return true;
+}
+
+static bool reads_depth(unsigned key)
+{
+    return key & EW_PROGRAM_DEPTH;
+}
+
+static bool has_weights(unsigned key)
+{
+    return key & EW_PROGRAM_WEIGHTS;
+}
+
+static bool is_simpson(unsigned key)
+{
+    return key & EW_PROGRAM_SIMPSON;
+}
+
+static bool is_adaptive(unsigned key)
+{
+    return !is_simpson(key);
+}
+
+static bool integrates_points(unsigned key)
+{
+    return is_adaptive(key) && count_of(key, POINTS) > 0;
+}
+
+static bool integrates_lines(unsigned key)
+{
+    return is_adaptive(key) && count_of(key, LINES) > 0;
+}
+
+static bool integrates_tori(unsigned key)
+{
+    return is_adaptive(key) && count_of(key, TORI) > 0;
+}
+
+static bool integrates_curves(unsigned key)
+{
+    return is_adaptive(key) && count_of(key, CURVES) > 0;
+}
+
 static const struct {
     const char *text;
-    unsigned needs;
-    unsigned without;
+    bool (*is_needed)(unsigned key);
 } fragment_files[] = {
-    {ew_glsl_layout_glsl, 0, 0},
-    {ew_glsl_blocks_glsl, 0, 0},
-    {ew_glsl_depth_glsl, EW_PROGRAM_DEPTH, 0},
-    {ew_glsl_segment_glsl, 0, 0},
-    {ew_glsl_weight_glsl, EW_PROGRAM_WEIGHTS, 0},
-    {ew_glsl_simpson_glsl, EW_PROGRAM_SIMPSON, 0},
-    {ew_glsl_quadrature_glsl, EW_PROGRAM_POINTS | EW_PROGRAM_LINES | EW_PROGRAM_TORI | EW_PROGRAM_CURVES, EW_PROGRAM_SIMPSON},
-    {ew_glsl_point_glsl, EW_PROGRAM_POINTS, EW_PROGRAM_SIMPSON},
-    {ew_glsl_line_glsl, EW_PROGRAM_LINES, EW_PROGRAM_SIMPSON},
-    {ew_glsl_torus_glsl, EW_PROGRAM_TORI, EW_PROGRAM_SIMPSON},
-    {ew_glsl_curve_glsl, EW_PROGRAM_CURVES, EW_PROGRAM_SIMPSON},
-    {ew_glsl_wave_frag, 0, 0},
+    {ew_glsl_layout_glsl, always},          {ew_glsl_blocks_glsl, always},           {ew_glsl_depth_glsl, reads_depth},
+    {ew_glsl_segment_glsl, always},         {ew_glsl_weight_glsl, has_weights},      {ew_glsl_simpson_glsl, is_simpson},
+    {ew_glsl_quadrature_glsl, is_adaptive}, {ew_glsl_point_glsl, integrates_points}, {ew_glsl_line_glsl, integrates_lines},
+    {ew_glsl_torus_glsl, integrates_tori},  {ew_glsl_curve_glsl, integrates_curves}, {ew_glsl_wave_frag, always},
 };
 
 enum { FRAGMENT_FILE_COUNT = sizeof fragment_files / sizeof fragment_files[0], MAX_HEADER_LENGTH = 1024 };
 
-/* Version, precision and the permutation's defines. `#line 1 N` before each file, so that a driver's messages say where. */
+/* Version, precision and the permutation's defines. */
 static void write_header(char header[MAX_HEADER_LENGTH], const ew_gl *gl, const ew_capacity *capacity, unsigned key)
 {
-    static const char *const defines[] = {"EW_POINTS", "EW_LINES",   "EW_TORI",      "EW_CURVES",     "EW_WEIGHTS",
-                                          "EW_DEPTH",  "EW_SIMPSON", "EW_LUMINANCE", "EW_EVALUATIONS"};
-    int used = snprintf(header, MAX_HEADER_LENGTH,
-                        "%s"
-                        "#define EW_POINT_CAPACITY %zu\n#define EW_LINE_CAPACITY %zu\n#define EW_TORUS_CAPACITY %zu\n"
-                        "#define EW_CURVE_CAPACITY %zu\n#define EW_WEIGHT_CAPACITY %zu\n",
+    static const char *const flags[EW_PROGRAM_FLAG_COUNT] = {"EW_WEIGHTS", "EW_DEPTH", "EW_SIMPSON", "EW_LUMINANCE",
+                                                             "EW_EVALUATIONS"};
+    static const struct {
+        const char *lists, *kind, *count;
+    } names[KIND_COUNT] = {{"POINTS", "POINT", "x"}, {"LINES", "LINE", "y"}, {"TORI", "TORUS", "z"}, {"CURVES", "CURVE", "w"}};
+    const size_t capacities[KIND_COUNT] = {capacity->points, capacity->lines, capacity->tori, capacity->curves};
+
+    int used = snprintf(header, MAX_HEADER_LENGTH, "%s#define EW_WEIGHT_CAPACITY %zu\n",
                         gl->es ? "#version 300 es\nprecision highp float;\nprecision highp int;\nprecision highp sampler2D;\n"
                                : "#version 330 core\n",
-                        capacity->points, capacity->lines, capacity->tori, capacity->curves, capacity->weight_pieces);
-    for (size_t i = 0; i < sizeof defines / sizeof defines[0]; ++i)
-        if (key & (1u << i)) used += snprintf(header + used, MAX_HEADER_LENGTH - (size_t)used, "#define %s\n", defines[i]);
+                        capacity->weight_pieces);
+    for (int i = 0; i < EW_PROGRAM_FLAG_COUNT; ++i)
+        if (key & (1u << i)) used += snprintf(header + used, MAX_HEADER_LENGTH - (size_t)used, "#define %s\n", flags[i]);
+    for (int kind = 0; kind < KIND_COUNT; ++kind) {
+        char count[40];
+        if (count_of(key, kind) == 0) continue;
+        if (count_of(key, kind) <= EW_PROGRAM_MAX_UNROLLED)
+            snprintf(count, sizeof count, "%u", count_of(key, kind));
+        else
+            snprintf(count, sizeof count, "ew_frame.source_count.%s", names[kind].count);
+        used += snprintf(header + used, MAX_HEADER_LENGTH - (size_t)used,
+                         "#define EW_%s\n#define EW_%s_CAPACITY %zu\n#define EW_%s_COUNT %s\n", names[kind].lists,
+                         names[kind].kind, capacities[kind], names[kind].kind, count);
+    }
 }
 
 /* Compiles the strings to a shader; 0 on failure. */
@@ -100,8 +165,7 @@ static GLuint compile_fragment_shader(const ew_gl *gl, const ew_capacity *capaci
     write_header(header, gl, capacity, key);
     strings[count++] = header;
     for (int i = 0; i < FRAGMENT_FILE_COUNT; ++i) {
-        if (fragment_files[i].needs && !(fragment_files[i].needs & key)) continue;
-        if (fragment_files[i].without & key) continue;
+        if (!fragment_files[i].is_needed(key)) continue;
         snprintf(lines[i], sizeof lines[i], "#line 1 %d\n", i);
         strings[count++] = lines[i];
         strings[count++] = fragment_files[i].text;
@@ -148,27 +212,50 @@ static void assign_bindings(const ew_gl *gl, GLuint program)
     }
 }
 
+static ew_result build(const ew_gl *gl, const ew_capacity *capacity, unsigned key, GLuint *program, ew_error *error)
+{
+    GLuint vertex_shader = compile_vertex_shader(gl, error);
+    if (!vertex_shader) return EW_ERROR_SHADER;
+    GLuint fragment_shader = compile_fragment_shader(gl, capacity, key, error);
+    ew_result result = EW_ERROR_SHADER;
+    if (fragment_shader) result = link(gl, vertex_shader, fragment_shader, program, error);
+    gl->DeleteShader(vertex_shader);
+    gl->DeleteShader(fragment_shader);
+    if (result == EW_OK) assign_bindings(gl, *program);
+    return result;
+}
+
+/* Makes room for one more entry. */
+static ew_result grow(ew_program_cache *cache, ew_error *error)
+{
+    if (cache->count < cache->capacity) return EW_OK;
+    size_t capacity = cache->capacity > 0 ? 2 * cache->capacity : 8;
+    struct ew_cached_program *entries = realloc(cache->entries, capacity * sizeof *entries);
+    if (!entries) return ew_fail(error, EW_ERROR_OUT_OF_MEMORY, "no memory for %zu cached programs", capacity);
+    cache->entries = entries;
+    cache->capacity = capacity;
+    return EW_OK;
+}
+
 ew_result ew_program_get(ew_program_cache *cache, const ew_gl *gl, const ew_capacity *capacity, unsigned key, GLuint *program,
                          ew_error *error)
 {
-    if (!cache->programs[key]) {
-        GLuint vertex_shader = compile_vertex_shader(gl, error);
-        if (!vertex_shader) return EW_ERROR_SHADER;
-        GLuint fragment_shader = compile_fragment_shader(gl, capacity, key, error);
-        ew_result result = EW_ERROR_SHADER;
-        if (fragment_shader) result = link(gl, vertex_shader, fragment_shader, &cache->programs[key], error);
-        gl->DeleteShader(vertex_shader);
-        gl->DeleteShader(fragment_shader);
-        if (result != EW_OK) return result;
-        assign_bindings(gl, cache->programs[key]);
+    for (size_t i = 0; i < cache->count; ++i) {
+        if (cache->entries[i].key == key) {
+            *program = cache->entries[i].program;
+            return EW_OK;
+        }
     }
-    *program = cache->programs[key];
-    return EW_OK;
+    ew_result result = grow(cache, error);
+    if (result == EW_OK) result = build(gl, capacity, key, program, error);
+    if (result == EW_OK) cache->entries[cache->count++] = (struct ew_cached_program){key, *program};
+    return result;
 }
 
 void ew_program_cache_destroy(ew_program_cache *cache, const ew_gl *gl)
 {
-    for (int key = 0; key < EW_PROGRAM_KEY_COUNT; ++key)
-        if (cache->programs[key]) gl->DeleteProgram(cache->programs[key]);
-    *cache = (ew_program_cache){{0}};
+    for (size_t i = 0; i < cache->count; ++i)
+        gl->DeleteProgram(cache->entries[i].program);
+    free(cache->entries);
+    *cache = (ew_program_cache){0};
 }

@@ -5,22 +5,27 @@
 #include "gl.h"
 #include "scene.h"
 
-/* What a permutation knows: bits that together make its key. */
+/* What a permutation knows, as bits of its key. Above them stand the numbers of points, lines, tori and curves, in fields of
+ * EW_PROGRAM_COUNT_BITS: 0 for none, the number itself up to EW_PROGRAM_MAX_UNROLLED, and one more than that for any. */
 enum {
-    EW_PROGRAM_POINTS = 1 << 0,
-    EW_PROGRAM_LINES = 1 << 1,
-    EW_PROGRAM_TORI = 1 << 2,
-    EW_PROGRAM_CURVES = 1 << 3,
-    EW_PROGRAM_WEIGHTS = 1 << 4,
-    EW_PROGRAM_DEPTH = 1 << 5,
-    EW_PROGRAM_SIMPSON = 1 << 6,
-    EW_PROGRAM_LUMINANCE = 1 << 7,
-    EW_PROGRAM_EVALUATIONS = 1 << 8,
-    EW_PROGRAM_KEY_COUNT = 1 << 9,
+    EW_PROGRAM_WEIGHTS = 1 << 0,
+    EW_PROGRAM_DEPTH = 1 << 1,
+    EW_PROGRAM_SIMPSON = 1 << 2,
+    EW_PROGRAM_LUMINANCE = 1 << 3,
+    EW_PROGRAM_EVALUATIONS = 1 << 4,
+    EW_PROGRAM_FLAG_COUNT = 5,
+    EW_PROGRAM_COUNT_BITS = 3,
+    EW_PROGRAM_MAX_UNROLLED = 4,
 };
 
+/* The programs compiled so far. */
 typedef struct ew_program_cache {
-    GLuint programs[EW_PROGRAM_KEY_COUNT]; /* by key; 0: not compiled yet */
+    struct ew_cached_program {
+        unsigned key;
+        GLuint program;
+    } * entries;
+    size_t count;
+    size_t capacity;
 } ew_program_cache;
 
 /* The key of the program that draws `scene` as `frame` says. */

@@ -11,7 +11,7 @@
 
 /* The ranges inside which no intermediate result of the shader overflows a float or vanishes in one; lengths in intervals.
  * They are far outside anything that could be seen. */
-#define MAX_COORDINATE 1e8
+#define MAX_COORDINATE 1e6
 #define MIN_EPSILON 1e-12
 #define MAX_COEFFICIENT 1e12
 #define MAX_COLOR 65504.0
