@@ -98,7 +98,7 @@ static bool read_backend(const char *text, context_backend *backend)
 static bool check_options(const command_line *options, char *message, size_t size)
 {
     if (!options->scene)
-        message_write(message, size, "no scene file is given; name one, as in ew-render scene.json -o picture.png");
+        message_write(message, size, "SCENE.json: is missing; name the scene file to render");
     else if (!options->output && !options->luminance)
         message_write(message, size, "%s: no output is asked for; add -o picture.png", options->scene);
     else if (options->output && image_format_of(options->output) == IMAGE_UNKNOWN)

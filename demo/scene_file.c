@@ -94,7 +94,7 @@ static const char *type_text(const json_t *json)
 static value member(reader *r, const value *object, const char *key, presence needed)
 {
     value result = {json_object_get(object->json, key), {&object->at, key, 0}};
-    if (!result.json && needed == REQUIRED) fail(r, &result.at, "is missing; every such object needs it");
+    if (!result.json && needed == REQUIRED) fail(r, &result.at, "is missing; add it, for it has no default");
     return result;
 }
 

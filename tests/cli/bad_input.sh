@@ -1,0 +1,169 @@
+#!/bin/sh
+# Bad input ends with exit status 2, one line on standard error that names the file (or option), the place and a remedy, and
+# no output, half-written or whole.
+# Usage: bad_input.sh EW_RENDER EW_PROBE_IMAGE SCENES
+ew_render=$1
+failures=0
+cases=0
+rm -rf bad_input && mkdir -p bad_input/out && cd bad_input || exit 1
+
+# scene MEMBERS: writes scene.json, a good scene but for its further members.
+scene() {
+    printf '{ "camera": { "eye": [0, 0, 8], "target": [0, 0, 0] }, %s }\n' "$1" > scene.json
+}
+
+complain() {
+    failures=$((failures + 1))
+    printf 'FAILED: %s\n' "$*"
+    cat stderr
+}
+
+# refuses PLACE ARGUMENT...: expects ew-render with these arguments to refuse, naming PLACE (a basic regular expression).
+refuses() {
+    place=$1
+    shift
+    cases=$((cases + 1))
+    "$ew_render" "$@" > stdout 2> stderr < /dev/null
+    status=$?
+    if [ $status -ne 2 ]; then complain "$place: exit status $status instead of 2"; return; fi
+    if [ "$(wc -l < stderr)" -ne 1 ]; then complain "$place: not one line"; return; fi
+    if ! grep -q "^ew-render: $place: ." stderr; then complain "$place is not named"; return; fi
+    if [ -n "$(ls -A out)" ]; then complain "$place: left $(ls -A out)"; rm -rf out/*; fi
+}
+
+# refuses_scene PLACE MEMBERS: expects a scene with these members to be refused.
+refuses_scene() {
+    scene "$2"
+    refuses "scene.json: $1" scene.json -o out/picture.png
+}
+
+# refuses_text PLACE TEXT: expects a scene file of this text to be refused.
+refuses_text() {
+    printf '%s' "$2" > scene.json
+    refuses "scene.json: $1" scene.json -o out/picture.png
+}
+
+# ---- Files that are no scene
+refuses 'missing\.json' missing.json -o out/picture.png
+mkdir folder.json
+refuses 'folder\.json' folder.json -o out/picture.png
+refuses 'two?lines' 'two
+lines' -o out/picture.png
+refuses_text 'line 1, column [0-9]*' ''
+refuses_text 'line 2, column [0-9]*' '{ "camera":
+{ "eye" [0, 0, 8] } }'
+refuses_text 'line 1, column [0-9]*' '{} {}'
+refuses_text 'line 1, column [0-9]*' '{ "epsilon": NaN }'
+refuses_text 'line 1, column [0-9]*' '{ "epsilon": Infinity }'
+refuses_text 'line 1, column [0-9]*' '{ "epsilon": 1e999 }'
+refuses_text 'line 1, column [0-9]*' '{ "epsilon": 1, "epsilon": 2 }'
+printf '[1, 2]' > scene.json
+refuses 'scene\.json' scene.json -o out/picture.png
+
+# ---- Keys and types
+refuses_text 'camera' '{}'
+refuses_text 'camera\.eye' '{ "camera": { "target": [0, 0, 0] } }'
+refuses_text 'camera\.eyes' '{ "camera": { "eyes": [0, 0, 8], "target": [0, 0, 0] } }'
+refuses_text 'camera\.height' '{ "camera": { "eye": [0, 0, 8], "target": [0, 0, 0], "height": 2 } }'
+refuses_text 'camera\.fov_y_degrees' \
+    '{ "camera": { "eye": [0, 0, 8], "target": [0, 0, 0], "projection": "orthographic", "fov_y_degrees": 45 } }'
+refuses_scene 'colour' '"colour": [1, 1, 1]'
+refuses_scene 'points\[1\]\.radius' '"points": [{ "position": [0, 0, 0] }, { "position": [0, 0, 0], "radius": 1 }]'
+refuses_scene 'opaque\[0\]\.normal' '"opaque": [{ "shape": "sphere", "center": [0, 0, 0], "radius": 1, "normal": [0, 1, 0] }]'
+refuses_scene 'opaque\[0\]\.shape' '"opaque": [{ "shape": "cone" }]'
+refuses_scene 'opaque\[0\]\.shape' '"opaque": [{ "min": [0, 0, 0] }]'
+refuses_scene 'opaque\[0\]\.max' '"opaque": [{ "shape": "box", "min": [0, 0, 0], "max": [1, 1, 0] }]'
+refuses_scene 'epsilon' '"epsilon": "small"'
+refuses_scene 'epsilon' '"epsilon": null'
+refuses_scene 'color' '"color": [1, 1]'
+refuses_scene 'color\[2\]' '"color": [1, 1, true]'
+refuses_scene 'color\[0\]' '"color": [-0.1, 1, 1]'
+refuses_scene 'composite' '"composite": "multiply"'
+refuses_scene 'version' '"version": 2'
+refuses_scene 'comment' '"comment": 1'
+refuses_scene 'points' '"points": { "position": [0, 0, 0] }'
+refuses_scene 'points\[0\]' '"points": [[0, 0, 0]]'
+refuses_scene 'points\[0\]\.position' '"points": [{}]'
+refuses_scene 'points\[0\]\.position' '"points": [{ "position": [0, 0, 0, 1] }]'
+refuses_scene 'points\[0\]\.position\[1\]' '"points": [{ "position": [0, 1e30, 0] }]'
+refuses_scene 'points\[0\]\.coefficient' '"points": [{ "position": [0, 0, 0], "coefficient": -1 }]'
+refuses_scene 'curves\[0\]' '"curves": [{ "coefficient": 1 }]'
+refuses_scene 'curves\[0\]\.control_points' '"curves": [{ "control_points": [[0, 0, 0], [1, 0, 0]] }]'
+refuses_scene 'curves\[0\]\.control_points\[2\]' '"curves": [{ "control_points": [[0, 0, 0], [1, 0, 0], [1]] }]'
+refuses_scene 'curves\[0\]' \
+    '"curves": [{ "control_points": [[0, 0, 0], [1, 0, 0], [2, 0, 0]], "polynomial": [[0, 0, 0], [1, 0, 0], [2, 0, 0]] }]'
+
+# ---- Ranges
+arc='"control_points": [[0, 0, 0], [1, 1, 0], [2, 0, 0]]'
+refuses_scene 'epsilon' '"epsilon": 0'
+refuses_scene 'epsilon' '"epsilon": -0.001'
+refuses_scene 'lines\[0\]\.direction' '"lines": [{ "position": [0, 0, 0], "direction": [0, 0, 0] }]'
+refuses_scene 'tori\[0\]\.axis' '"tori": [{ "center": [0, 0, 0], "axis": [0, 0, 0], "radius": 1 }]'
+refuses_scene 'tori\[0\]\.radius' '"tori": [{ "center": [0, 0, 0], "axis": [0, 1, 0], "radius": -1 }]'
+refuses_scene 'opaque\[0\]\.normal' '"opaque": [{ "shape": "plane", "point": [0, 0, 0], "normal": [0, 0, 0] }]'
+refuses_scene 'opaque\[0\]\.radius' '"opaque": [{ "shape": "sphere", "center": [0, 0, 0], "radius": -1 }]'
+refuses_scene 'curves\[0\]\.domain' "\"curves\": [{ $arc, \"domain\": [1, 1] }]"
+refuses_scene 'curves\[0\]\.domain' "\"curves\": [{ $arc, \"domain\": [1, -1] }]"
+refuses_scene 'curves\[0\]\.domain' "\"curves\": [{ $arc, \"domain\": [0, 1, 2] }]"
+refuses_scene 'curves\[0\]\.weights' "\"curves\": [{ $arc, \"weights\": [] }]"
+refuses_scene 'curves\[1\]\.weights\[3\]' "\"curves\": [{ $arc }, { $arc, \"weights\": [1, 0, 1, -1] }]"
+refuses_scene 'interval\.end' '"interval": { "start": 5, "end": 5 }'
+refuses_scene 'interval\.end' '"interval": { "start": 3, "end": 101 }'
+refuses_scene 'interval\.start' '"interval": { "start": 0, "end": 5 }'
+refuses_scene 'decay\.beta' '"decay": { "beta": 0 }'
+refuses_scene 'decay\.beta' '"decay": { "beta": -1 }'
+refuses_scene 'decay\.alpha' '"decay": { "alpha": -1 }'
+refuses_text 'camera\.target' '{ "camera": { "eye": [0, 0, 8], "target": [0, 0, 8] } }'
+refuses_text 'camera\.up' '{ "camera": { "eye": [0, 0, 8], "target": [0, 0, 0], "up": [0, 0, 2] } }'
+refuses_text 'camera\.up' '{ "camera": { "eye": [0, 0, 8], "target": [0, 0, 0], "up": [0, 0, 0] } }'
+refuses_text 'camera\.near' '{ "camera": { "eye": [0, 0, 8], "target": [0, 0, 0], "near": 0 } }'
+refuses_text 'camera\.far' '{ "camera": { "eye": [0, 0, 8], "target": [0, 0, 0], "near": 2, "far": 2 } }'
+refuses_text 'camera\.fov_y_degrees' '{ "camera": { "eye": [0, 0, 8], "target": [0, 0, 0], "fov_y_degrees": 180 } }'
+too_many=$(yes '{ "position": [0, 0, 0] },' | head -n 1024)
+refuses_scene 'points' "\"points\": [$too_many { \"position\": [0, 0, 0] }]"
+
+# ---- Options
+scene '"points": [{ "position": [0, 0, 0] }]'
+for size in 0x10 10x0 0x0 10 10x 10x10x10 -5x5 5x-5 100000x100000 9999999999x1 axb ''; do
+    refuses '--size' scene.json -o out/picture.png --size "$size"
+done
+for integrator in simpson simpson: simpson:0 simpson:3 simpson:-2 simpson:5000 simpson:8x adaptive:1e-9 newton; do
+    refuses '--integrator' scene.json -o out/picture.png --integrator "$integrator"
+done
+refuses '--backend' scene.json -o out/picture.png --backend glide
+refuses '--nonsense' scene.json -o out/picture.png --nonsense
+refuses '-z' scene.json -o out/picture.png -z
+refuses '--help=please' --help=please
+refuses '--size' scene.json -o out/picture.png --size
+refuses '-o' scene.json -o
+refuses 'SCENE\.json' -o out/picture.png
+refuses 'other\.json' scene.json other.json -o out/picture.png
+refuses 'scene\.json' scene.json
+
+# ---- Outputs
+refuses 'out/picture\.jpg' scene.json -o out/picture.jpg
+refuses 'out/picture' scene.json -o out/picture
+refuses 'out/light\.png' scene.json --luminance out/light.png
+refuses 'out/light\.pfm' scene.json -o out/light.pfm --luminance out/light.pfm
+refuses 'nowhere/picture\.png' scene.json -o nowhere/picture.png --size 16x9
+refuses 'nowhere/light\.pfm' scene.json --luminance nowhere/light.pfm --size 16x9
+mkdir folder.png
+refuses 'folder\.png' scene.json -o folder.png --size 16x9
+# A file that grows beyond what is allowed stands for a full disk.
+limit=$(ulimit -S -f)
+trap '' XFSZ
+ulimit -S -f 1
+for picture in out/picture.png out/picture.hdr out/picture.pfm; do
+    refuses "$picture" scene.json -o $picture --size 160x90
+done
+ulimit -S -f "$limit"
+trap - XFSZ
+
+# ---- No GL: no EGL implementation for the loader to find, or one that finds no driver
+export LIBGL_DRIVERS_PATH=/nonexistent
+refuses '--backend egl' scene.json -o out/picture.png --backend egl --size 16x9
+export __EGL_VENDOR_LIBRARY_FILENAMES=/nonexistent
+refuses '--backend egl' scene.json -o out/picture.png --backend egl --size 16x9
+
+printf '%d cases, %d failures\n' $cases $failures
+[ $failures -eq 0 ]
