@@ -1,0 +1,38 @@
+/* Headless GL contexts of every kind that the library supports, for tests. */
+#ifndef TEST_CONTEXT_H
+#define TEST_CONTEXT_H
+
+#include <stdbool.h>
+
+typedef struct test_context test_context;
+
+typedef struct test_context_desc {
+    bool osmesa; /* else EGL, surfaceless */
+    bool es;
+    int major;
+    int minor;
+    bool compatibility;
+    test_context *share; /* a context of the same description to share objects with, or NULL */
+} test_context_desc;
+
+/* A debug context where the platform has them. NULL, with a line on stderr, if there is none. */
+test_context *test_context_create(const test_context_desc *desc);
+void test_context_make_current(test_context *context); /* NULL: none is current */
+void test_context_destroy(test_context *context);
+
+/* The loader of the current context: `user` is the test_context. */
+void (*test_context_get_proc_address(void *user, const char *name))(void);
+
+/* What a platform implements. */
+typedef struct test_platform {
+    void *(*create)(const test_context_desc *desc, void *share);
+    bool (*make_current)(void *native);
+    void (*release)(void);
+    void (*destroy)(void *native);
+    void (*(*get_proc_address)(const char *name))(void);
+} test_platform;
+
+extern const test_platform test_platform_egl;
+extern const test_platform test_platform_osmesa; /* only where EW_HAVE_OSMESA is defined */
+
+#endif

@@ -1,0 +1,406 @@
+/* The guard against hosts in any condition: all GL state is as before, and the picture as from a clean state.
+ *
+ *     state_guard_test CONTEXT    one of the names in `kinds`
+ *
+ * Two contexts share their objects: a clean one, which prepares the targets and reads the pictures, and a scrambled one. */
+#include "scramble.h"
+#include "state_guard.h"
+
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+#include <stdio.h>
+#include <string.h>
+
+enum { WIDTH = 32, HEIGHT = 24, SEEDS = 400 };
+
+static const struct {
+    const char *name;
+    test_context_desc desc;
+} kinds[] = {
+    {"gl33", {.major = 3, .minor = 3}},
+    {"gl45", {.major = 4, .minor = 5}},
+    {"gl45_compatibility", {.major = 4, .minor = 5, .compatibility = true}},
+    {"es30", {.es = true, .major = 3, .minor = 0}},
+    {"es31", {.es = true, .major = 3, .minor = 1}},
+    {"es32", {.es = true, .major = 3, .minor = 2}},
+    {"osmesa33", {.osmesa = true, .major = 3, .minor = 3}},
+    {"osmesa45_compatibility", {.osmesa = true, .major = 4, .minor = 5, .compatibility = true}},
+};
+
+/* What is drawn to: a colour attachment that should get the picture, one that should not, depth and stencil. */
+typedef struct test_target {
+    const char *name;
+    GLenum format;
+    int samples;
+    GLuint images[3]; /* renderbuffers: picture, bystander, depth and stencil; shared */
+    GLuint framebuffers[2];
+} test_target;
+
+enum { CLEAN, SCRAMBLED };
+
+static test_target targets[] = {
+    {.name = "RGBA8", .format = GL_RGBA8},
+    {.name = "RGBA32F", .format = GL_RGBA32F},
+    {.name = "RGBA8 with 4 samples", .format = GL_RGBA8, .samples = 4},
+};
+enum { TARGET_COUNT = sizeof targets / sizeof targets[0] };
+
+typedef struct test_picture {
+    GLfloat pixels[HEIGHT][WIDTH][4];
+} test_picture;
+
+static test_context *contexts[2];
+static test_host host;
+static GLuint resolve_framebuffer; /* of the clean context */
+static GLuint depth_texture;
+
+static bool watching;
+static int debug_messages;
+
+static void APIENTRY on_debug_message(GLenum source, GLenum type, GLuint id, GLenum severity, GLsizei length,
+                                      const GLchar *text, const void *user)
+{
+    (void)source, (void)type, (void)id, (void)length, (void)user;
+    if (!watching || (severity != GL_DEBUG_SEVERITY_HIGH && severity != GL_DEBUG_SEVERITY_MEDIUM)) return;
+    fprintf(stderr, "GL says: %s\n", text);
+    debug_messages++;
+}
+
+static void watch_debug_messages(void)
+{
+    if (!api_has(43, 32, "GL_KHR_debug")) return;
+    gl.Enable(GL_DEBUG_OUTPUT);
+    gl.Enable(GL_DEBUG_OUTPUT_SYNCHRONOUS);
+    gl.DebugMessageCallback(on_debug_message, NULL);
+}
+
+static GLuint make_framebuffer(const test_target *target)
+{
+    GLuint framebuffer;
+    gl.GenFramebuffers(1, &framebuffer);
+    gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, target->images[0]);
+    gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0 + 1, GL_RENDERBUFFER, target->images[1]);
+    gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, GL_RENDERBUFFER, target->images[2]);
+    assert_int_equal(gl.CheckFramebufferStatus(GL_FRAMEBUFFER), GL_FRAMEBUFFER_COMPLETE);
+    return framebuffer;
+}
+
+static void make_targets(void)
+{
+    for (int i = 0; i < TARGET_COUNT; i++) {
+        test_target *target = &targets[i];
+        const GLenum formats[3] = {target->format, target->format, GL_DEPTH24_STENCIL8};
+        gl.GenRenderbuffers(3, target->images);
+        for (int j = 0; j < 3; j++) {
+            gl.BindRenderbuffer(GL_RENDERBUFFER, target->images[j]);
+            gl.RenderbufferStorageMultisample(GL_RENDERBUFFER, target->samples, formats[j], WIDTH, HEIGHT);
+        }
+        target->framebuffers[CLEAN] = make_framebuffer(target);
+    }
+    GLuint resolved;
+    gl.GenRenderbuffers(1, &resolved);
+    gl.BindRenderbuffer(GL_RENDERBUFFER, resolved);
+    gl.RenderbufferStorage(GL_RENDERBUFFER, GL_RGBA8, WIDTH, HEIGHT);
+    gl.GenFramebuffers(1, &resolve_framebuffer);
+    gl.BindFramebuffer(GL_FRAMEBUFFER, resolve_framebuffer);
+    gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, resolved);
+
+    GLfloat depth[HEIGHT][WIDTH];
+    for (int y = 0; y < HEIGHT; y++)
+        for (int x = 0; x < WIDTH; x++)
+            depth[y][x] = (GLfloat)(x + y) / (WIDTH + HEIGHT);
+    gl.GenTextures(1, &depth_texture);
+    gl.BindTexture(GL_TEXTURE_2D, depth_texture);
+    gl.TexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT32F, WIDTH, HEIGHT, 0, GL_DEPTH_COMPONENT, GL_FLOAT, depth);
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
+    gl.BindTexture(GL_TEXTURE_2D, 0);
+}
+
+static const GLfloat before_color[4] = {0.25f, 0.5f, 0.75f, 0.5f};
+
+/* In the clean context. */
+static void clear_target(const test_target *target)
+{
+    static const GLenum both[] = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT0 + 1};
+    gl.BindFramebuffer(GL_FRAMEBUFFER, target->framebuffers[CLEAN]);
+    gl.DrawBuffers(2, both);
+    gl.ClearBufferfv(GL_COLOR, 0, before_color);
+    gl.ClearBufferfv(GL_COLOR, 1, before_color);
+    gl.ClearBufferfi(GL_DEPTH_STENCIL, 0, 0.5f, 0x5A);
+    gl.DrawBuffers(1, both);
+}
+
+/* In the clean context: what an attachment holds, its samples resolved. */
+static void read_picture(const test_target *target, GLenum attachment, test_picture *picture)
+{
+    GLuint framebuffer = target->framebuffers[CLEAN];
+    gl.BindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer);
+    gl.ReadBuffer(attachment);
+    if (target->samples > 0) {
+        gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, resolve_framebuffer);
+        gl.BlitFramebuffer(0, 0, WIDTH, HEIGHT, 0, 0, WIDTH, HEIGHT, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+        gl.BindFramebuffer(GL_READ_FRAMEBUFFER, resolve_framebuffer);
+    }
+    memset(picture, 0, sizeof *picture);
+    if (target->format == GL_RGBA32F) {
+        gl.ReadPixels(0, 0, WIDTH, HEIGHT, GL_RGBA, GL_FLOAT, picture->pixels);
+    } else {
+        GLubyte bytes[HEIGHT][WIDTH][4];
+        gl.ReadPixels(0, 0, WIDTH, HEIGHT, GL_RGBA, GL_UNSIGNED_BYTE, bytes);
+        for (int y = 0; y < HEIGHT; y++)
+            for (int x = 0; x < WIDTH; x++)
+                for (int i = 0; i < 4; i++)
+                    picture->pixels[y][x][i] = bytes[y][x][i];
+    }
+    assert_int_equal(gl.GetError(), GL_NO_ERROR);
+}
+
+static int count_different_pixels(const test_picture *a, const test_picture *b)
+{
+    int different = 0;
+    for (int y = 0; y < HEIGHT; y++)
+        for (int x = 0; x < WIDTH; x++)
+            different += memcmp(a->pixels[y][x], b->pixels[y][x], sizeof a->pixels[y][x]) != 0;
+    return different;
+}
+
+/* Something to draw under the guard, in either context, to its framebuffer for the target. */
+typedef struct test_subject {
+    void (*draw)(int context, const test_target *target);
+    void (*create)(int context);
+    void (*destroy)(int context);
+} test_subject;
+
+static void make_current(int context)
+{
+    test_context_make_current(contexts[context]);
+}
+
+/* The state that is the host's wish, and stays in force while the effect draws. Multisampling makes no difference but to
+ * some rasterizers' scissor. */
+typedef struct host_wish {
+    bool scissor;
+    GLint scissor_box[4];
+    bool multisample;
+} host_wish;
+
+static host_wish ask_wish(void)
+{
+    host_wish wish = {.scissor = gl.IsEnabled(GL_SCISSOR_TEST), .multisample = !gl.es && gl.IsEnabled(GL_MULTISAMPLE)};
+    gl.GetIntegerv(GL_SCISSOR_BOX, wish.scissor_box);
+    return wish;
+}
+
+static void grant_wish(const host_wish *wish)
+{
+    gl.Scissor(wish->scissor_box[0], wish->scissor_box[1], wish->scissor_box[2], wish->scissor_box[3]);
+    (wish->scissor ? gl.Enable : gl.Disable)(GL_SCISSOR_TEST);
+    if (!gl.es) (wish->multisample ? gl.Enable : gl.Disable)(GL_MULTISAMPLE);
+}
+
+static void draw_clean(const test_subject *subject, const test_target *target, const host_wish *wish, test_picture *picture)
+{
+    make_current(CLEAN);
+    clear_target(target);
+    grant_wish(wish);
+    subject->draw(CLEAN, target);
+    gl.Disable(GL_SCISSOR_TEST);
+    read_picture(target, GL_COLOR_ATTACHMENT0, picture);
+}
+
+/* What one draw from a scrambled state did wrong. */
+typedef struct test_outcome {
+    GLenum error;
+    int debug_messages;
+    int differences;
+    GLuint captured;
+} test_outcome;
+
+static test_outcome draw_scrambled(const test_subject *subject, const test_target *target, unsigned long long seed,
+                                   host_wish *wish)
+{
+    static state before, after;
+    make_current(CLEAN);
+    clear_target(target);
+    gl.Finish();
+
+    make_current(SCRAMBLED);
+    host_scramble(&host, seed, true);
+    const state_objects objects = host_objects(&host);
+    state_take(&before, &objects);
+    *wish = ask_wish();
+    assert_int_equal(gl.GetError(), GL_NO_ERROR);
+
+    debug_messages = 0;
+    watching = true;
+    subject->draw(SCRAMBLED, target);
+    watching = false;
+
+    test_outcome outcome = {.error = gl.GetError(), .debug_messages = debug_messages};
+    state_take(&after, &objects);
+    outcome.differences = state_count_differences(&before, &after);
+    outcome.captured = host_settle(&host);
+    gl.Finish();
+    assert_int_equal(gl.GetError(), GL_NO_ERROR);
+    state_free(&before);
+    state_free(&after);
+    return outcome;
+}
+
+/* Draws from scrambled states. All must be as before, and the picture as from the clean state. */
+static void check_neutrality(const test_subject *subject)
+{
+    test_picture cleared, expected, found, bystander;
+    int failures = 0;
+    make_current(CLEAN);
+    subject->create(CLEAN);
+    make_current(SCRAMBLED);
+    subject->create(SCRAMBLED);
+
+    for (unsigned long long seed = 1; seed <= SEEDS && failures < 5; seed++) {
+        const test_target *target = &targets[seed / 2 % TARGET_COUNT];
+        host_wish wish;
+        test_outcome outcome = draw_scrambled(subject, target, seed, &wish);
+        make_current(CLEAN);
+        read_picture(target, GL_COLOR_ATTACHMENT0, &found);
+        read_picture(target, GL_COLOR_ATTACHMENT0 + 1, &bystander);
+        clear_target(target);
+        read_picture(target, GL_COLOR_ATTACHMENT0, &cleared);
+        draw_clean(subject, target, &wish, &expected);
+        assert_true(count_different_pixels(&cleared, &expected) > 0);
+
+        int wrong_pixels = count_different_pixels(&found, &expected);
+        int wrong_bystanders = count_different_pixels(&bystander, &cleared);
+        if (outcome.error || outcome.debug_messages || outcome.differences || outcome.captured || wrong_pixels ||
+            wrong_bystanders) {
+            failures++;
+            fprintf(stderr,
+                    "seed %llu, %s: error 0x%x, %d debug messages, %d differences, %u primitives captured, %d pixels wrong, "
+                    "%d pixels of a further draw buffer changed\n",
+                    seed, target->name, outcome.error, outcome.debug_messages, outcome.differences, outcome.captured,
+                    wrong_pixels, wrong_bystanders);
+        }
+    }
+    make_current(SCRAMBLED);
+    subject->destroy(SCRAMBLED);
+    make_current(CLEAN);
+    subject->destroy(CLEAN);
+    assert_int_equal(failures, 0);
+}
+
+/* ---- The guard alone, about a draw that changes all that it may ---------------------------------------------------------- */
+
+static ew_gl loaded[2];
+static GLuint programs[2], vertex_arrays[2], uniform_buffers[2], samplers[2];
+
+static void guarded_create(int context)
+{
+    assert_int_equal(ew_gl_load(&loaded[context], test_context_get_proc_address, contexts[context], NULL), EW_OK);
+    GLuint program = build_program("void main() { vec2 p = vec2(gl_VertexID & 1, gl_VertexID >> 1);\n"
+                                   "gl_Position = vec4(2.0 * p - 1.0, 0.0, 1.0); }\n",
+                                   "layout(std140) uniform A { vec4 a; }; layout(std140) uniform B { vec4 b; };\n"
+                                   "layout(std140) uniform C { vec4 c; }; layout(std140) uniform D { vec4 d; };\n"
+                                   "layout(std140) uniform E { vec4 e; }; layout(std140) uniform F { vec4 f; };\n"
+                                   "uniform highp sampler2D depth;\nout vec4 color;\n"
+                                   "void main() { color = a + b + c + d + e + f; color.rgb += 0.001 * gl_FragCoord.xyx;\n"
+                                   "color.g += texture(depth, gl_FragCoord.xy / vec2(textureSize(depth, 0))).r; }\n",
+                                   NULL);
+    GLchar name[2] = "A";
+    for (GLuint i = 0; i < EW_BINDING_COUNT; i++, name[0]++)
+        gl.UniformBlockBinding(program, gl.GetUniformBlockIndex(program, name), i);
+    GLint depth = gl.GetUniformLocation(program, "depth");
+    GLint current = 0;
+    gl.GetIntegerv(GL_CURRENT_PROGRAM, &current);
+    gl.UseProgram(program);
+    gl.Uniform1i(depth, EW_GL_DEPTH_TEXTURE_UNIT);
+    gl.UseProgram((GLuint)current);
+    programs[context] = program;
+
+    static const GLfloat color[4] = {0.3f, 0.2f, 0.1f, 0.05f};
+    gl.GenVertexArrays(1, &vertex_arrays[context]);
+    gl.GenBuffers(1, &uniform_buffers[context]);
+    gl.BindBuffer(GL_UNIFORM_BUFFER, uniform_buffers[context]);
+    gl.BufferData(GL_UNIFORM_BUFFER, sizeof color, color, GL_STATIC_DRAW);
+    gl.GenSamplers(1, &samplers[context]);
+    gl.SamplerParameteri(samplers[context], GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    gl.SamplerParameteri(samplers[context], GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+}
+
+static void guarded_destroy(int context)
+{
+    gl.DeleteProgram(programs[context]);
+    gl.DeleteVertexArrays(1, &vertex_arrays[context]);
+    gl.DeleteBuffers(1, &uniform_buffers[context]);
+}
+
+static void guarded_draw(int context, const test_target *target)
+{
+    const ew_gl *guarded = &loaded[context];
+    const ew_gl_draw_state draw_state = {
+        .framebuffer = target->framebuffers[context],
+        .viewport = {0, 0, WIDTH, HEIGHT},
+        .blend = true,
+        .source_rgb = GL_ONE,
+        .destination_rgb = GL_ONE_MINUS_SRC_ALPHA,
+        .source_alpha = GL_ONE,
+        .destination_alpha = GL_ONE_MINUS_SRC_ALPHA,
+    };
+    ew_gl_state saved;
+    ew_error error = {.text = ""};
+    if (ew_gl_save_state(guarded, &saved, &error) != EW_OK) fail_msg("%s", error.text);
+    ew_gl_set_draw_state(guarded, &saved, &draw_state);
+    for (GLuint i = 0; i < EW_BINDING_COUNT; i++)
+        gl.BindBufferBase(GL_UNIFORM_BUFFER, i, uniform_buffers[context]);
+    gl.ActiveTexture(GL_TEXTURE0 + EW_GL_DEPTH_TEXTURE_UNIT);
+    gl.BindTexture(GL_TEXTURE_2D, depth_texture);
+    gl.BindSampler(EW_GL_DEPTH_TEXTURE_UNIT, samplers[context]);
+    gl.UseProgram(programs[context]);
+    gl.BindVertexArray(vertex_arrays[context]);
+    gl.DrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+    ew_gl_restore_state(guarded, &saved);
+}
+
+static void guard_restores_all_state_and_the_picture_is_clean(void **unused)
+{
+    (void)unused;
+    static const test_subject subject = {guarded_draw, guarded_create, guarded_destroy};
+    check_neutrality(&subject);
+}
+
+int main(int argc, char **argv)
+{
+    for (size_t i = 0; i < sizeof kinds / sizeof kinds[0]; i++) {
+        if (argc != 2 || strcmp(argv[1], kinds[i].name) != 0) continue;
+        test_context_desc desc = kinds[i].desc;
+        contexts[CLEAN] = test_context_create(&desc);
+        desc.share = contexts[CLEAN];
+        contexts[SCRAMBLED] = contexts[CLEAN] ? test_context_create(&desc) : NULL;
+        if (contexts[SCRAMBLED] == NULL) return 1;
+
+        make_current(CLEAN);
+        api_load(contexts[CLEAN]);
+        watch_debug_messages();
+        make_targets();
+        make_current(SCRAMBLED);
+        watch_debug_messages();
+        host_create(&host);
+        for (int j = 0; j < TARGET_COUNT; j++)
+            targets[j].framebuffers[SCRAMBLED] = make_framebuffer(&targets[j]);
+        fprintf(stderr, "%s, %s\n", (const char *)gl.GetString(GL_RENDERER), (const char *)gl.GetString(GL_VERSION));
+
+        const struct CMUnitTest tests[] = {
+            cmocka_unit_test(guard_restores_all_state_and_the_picture_is_clean),
+        };
+        int failed = cmocka_run_group_tests_name(kinds[i].name, tests, NULL, NULL);
+        test_context_make_current(NULL);
+        test_context_destroy(contexts[SCRAMBLED]);
+        test_context_destroy(contexts[CLEAN]);
+        return failed;
+    }
+    fprintf(stderr, "usage: state_guard_test CONTEXT\n");
+    return 2;
+}
