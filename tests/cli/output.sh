@@ -71,7 +71,7 @@ JSON
 renders point.json --luminance out/point.pfm --size 41x21
 is 'the size of a luminance' '41 21 1' "$("$probe" size out/point.pfm)"
 is 'a luminance beside a point' "$("$probe" pixel out/point.pfm 19 10)" "$("$probe" pixel out/point.pfm 21 10)"
-{ "$probe" pixel out/point.pfm 19 10 && "$probe" pixel out/point.pfm 20 10; } | awk "{ b[NR] = \$1 } END { exit !(0 < b[1] && b[1] < b[2]) }" ||
+{ "$probe" pixel out/point.pfm 19 10 && "$probe" pixel out/point.pfm 20 10; } | awk '{ b[NR] = $1 } END { exit !(0 < b[1] && b[1] < b[2]) }' ||
     complain 'the luminance is not largest at the point'
 renders point.json -o out/point.png --luminance out/again.pfm --size 41x21
 cmp -s out/point.pfm out/again.pfm || complain 'the luminance depends on what else is written'
