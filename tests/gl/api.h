@@ -8,7 +8,6 @@
 
 /* X(type, name, es_version, es_suffix): from `es_version` on, OpenGL ES has it without the suffix. */
 #define API_FUNCTIONS(X)                                                                                                       \
-    X(PFNGLACTIVESHADERPROGRAMPROC, ActiveShaderProgram, 31, "EXT")                                                            \
     X(PFNGLACTIVETEXTUREPROC, ActiveTexture, 0, "")                                                                            \
     X(PFNGLATTACHSHADERPROC, AttachShader, 0, "")                                                                              \
     X(PFNGLBEGINQUERYPROC, BeginQuery, 0, "")                                                                                  \
@@ -34,7 +33,6 @@
     X(PFNGLBUFFERDATAPROC, BufferData, 0, "")                                                                                  \
     X(PFNGLCHECKFRAMEBUFFERSTATUSPROC, CheckFramebufferStatus, 0, "")                                                          \
     X(PFNGLCLAMPCOLORPROC, ClampColor, 0, "")                                                                                  \
-    X(PFNGLCLEARPROC, Clear, 0, "")                                                                                            \
     X(PFNGLCLEARBUFFERFIPROC, ClearBufferfi, 0, "")                                                                            \
     X(PFNGLCLEARBUFFERFVPROC, ClearBufferfv, 0, "")                                                                            \
     X(PFNGLCLEARCOLORPROC, ClearColor, 0, "")                                                                                  \
@@ -48,11 +46,9 @@
     X(PFNGLCREATESHADERPROC, CreateShader, 0, "")                                                                              \
     X(PFNGLCULLFACEPROC, CullFace, 0, "")                                                                                      \
     X(PFNGLDEBUGMESSAGECALLBACKPROC, DebugMessageCallback, 32, "KHR")                                                          \
-    X(PFNGLDEBUGMESSAGECONTROLPROC, DebugMessageControl, 32, "KHR")                                                            \
     X(PFNGLDELETEBUFFERSPROC, DeleteBuffers, 0, "")                                                                            \
     X(PFNGLDELETEPROGRAMPROC, DeleteProgram, 0, "")                                                                            \
     X(PFNGLDELETESHADERPROC, DeleteShader, 0, "")                                                                              \
-    X(PFNGLDELETETEXTURESPROC, DeleteTextures, 0, "")                                                                          \
     X(PFNGLDELETEVERTEXARRAYSPROC, DeleteVertexArrays, 0, "")                                                                  \
     X(PFNGLDEPTHFUNCPROC, DepthFunc, 0, "")                                                                                    \
     X(PFNGLDEPTHMASKPROC, DepthMask, 0, "")                                                                                    \
@@ -70,7 +66,6 @@
     X(PFNGLENDTRANSFORMFEEDBACKPROC, EndTransformFeedback, 0, "")                                                              \
     X(PFNGLFINISHPROC, Finish, 0, "")                                                                                          \
     X(PFNGLFRAMEBUFFERRENDERBUFFERPROC, FramebufferRenderbuffer, 0, "")                                                        \
-    X(PFNGLFRAMEBUFFERTEXTURE2DPROC, FramebufferTexture2D, 0, "")                                                              \
     X(PFNGLFRONTFACEPROC, FrontFace, 0, "")                                                                                    \
     X(PFNGLGENBUFFERSPROC, GenBuffers, 0, "")                                                                                  \
     X(PFNGLGENFRAMEBUFFERSPROC, GenFramebuffers, 0, "")                                                                        \
@@ -81,7 +76,6 @@
     X(PFNGLGENTEXTURESPROC, GenTextures, 0, "")                                                                                \
     X(PFNGLGENTRANSFORMFEEDBACKSPROC, GenTransformFeedbacks, 0, "")                                                            \
     X(PFNGLGENVERTEXARRAYSPROC, GenVertexArrays, 0, "")                                                                        \
-    X(PFNGLGETBOOLEANI_VPROC, GetBooleani_v, 0, "")                                                                            \
     X(PFNGLGETBUFFERPARAMETERIVPROC, GetBufferParameteriv, 0, "")                                                              \
     X(PFNGLGETERRORPROC, GetError, 0, "")                                                                                      \
     X(PFNGLGETFLOATI_VPROC, GetFloati_v, 99, "OES")                                                                            \
@@ -97,13 +91,11 @@
     X(PFNGLGETSAMPLERPARAMETERIVPROC, GetSamplerParameteriv, 0, "")                                                            \
     X(PFNGLGETSTRINGPROC, GetString, 0, "")                                                                                    \
     X(PFNGLGETSTRINGIPROC, GetStringi, 0, "")                                                                                  \
-    X(PFNGLGETTEXPARAMETERIVPROC, GetTexParameteriv, 0, "")                                                                    \
     X(PFNGLGETUNIFORMBLOCKINDEXPROC, GetUniformBlockIndex, 0, "")                                                              \
     X(PFNGLGETUNIFORMLOCATIONPROC, GetUniformLocation, 0, "")                                                                  \
     X(PFNGLGETVERTEXATTRIBFVPROC, GetVertexAttribfv, 0, "")                                                                    \
     X(PFNGLGETVERTEXATTRIBIVPROC, GetVertexAttribiv, 0, "")                                                                    \
     X(PFNGLHINTPROC, Hint, 0, "")                                                                                              \
-    X(PFNGLISBUFFERPROC, IsBuffer, 0, "")                                                                                      \
     X(PFNGLISENABLEDPROC, IsEnabled, 0, "")                                                                                    \
     X(PFNGLISENABLEDIPROC, IsEnabledi, 32, "OES")                                                                              \
     X(PFNGLISPROGRAMPROC, IsProgram, 0, "")                                                                                    \
@@ -123,7 +115,6 @@
     X(PFNGLREADPIXELSPROC, ReadPixels, 0, "")                                                                                  \
     X(PFNGLRENDERBUFFERSTORAGEPROC, RenderbufferStorage, 0, "")                                                                \
     X(PFNGLRENDERBUFFERSTORAGEMULTISAMPLEPROC, RenderbufferStorageMultisample, 0, "")                                          \
-    X(PFNGLRESUMETRANSFORMFEEDBACKPROC, ResumeTransformFeedback, 0, "")                                                        \
     X(PFNGLSAMPLECOVERAGEPROC, SampleCoverage, 0, "")                                                                          \
     X(PFNGLSAMPLEMASKIPROC, SampleMaski, 0, "")                                                                                \
     X(PFNGLSAMPLERPARAMETERIPROC, SamplerParameteri, 0, "")                                                                    \

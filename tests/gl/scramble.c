@@ -89,7 +89,7 @@ static const struct {
     {GL_TEXTURE_2D_MULTISAMPLE_ARRAY, 33, 32},
 };
 
-static bool has_pipelines(void)
+bool has_pipelines(void)
 {
     return api_has(41, 31, gl.es ? "GL_EXT_separate_shader_objects" : "GL_ARB_separate_shader_objects");
 }

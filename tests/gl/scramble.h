@@ -39,6 +39,9 @@ GLuint host_settle(test_host *host);
 /* A number from 0 to count - 1. */
 int host_random(test_host *host, int count);
 
+/* Whether the context has program pipelines. */
+bool has_pipelines(void);
+
 GLuint build_program(const char *vertex_shader, const char *fragment_shader, const char *feedback_varying);
 
 #endif

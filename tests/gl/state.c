@@ -422,8 +422,8 @@ static void take_draw_buffer_state(state *taken)
     if (!api_has(33, 32, "GL_OES_draw_buffers_indexed")) return;
     GLint count = integer(GL_MAX_DRAW_BUFFERS);
     for (GLint i = 0; i < count; i++) {
-        GLboolean mask[4] = {0};
-        gl.GetBooleani_v(GL_COLOR_WRITEMASK, (GLuint)i, mask);
+        GLint mask[4] = {0};
+        gl.GetIntegeri_v(GL_COLOR_WRITEMASK, (GLuint)i, mask);
         for (int j = 0; j < 4; j++)
             add(taken, "GL_COLOR_WRITEMASK of a draw buffer", i, j, mask[j]);
         add(taken, "GL_BLEND of a draw buffer", i, 0, gl.IsEnabledi(GL_BLEND, (GLuint)i));
