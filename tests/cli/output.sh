@@ -75,6 +75,11 @@ is 'a luminance beside a point' "$("$probe" pixel out/point.pfm 19 10)" "$("$pro
     complain 'the luminance is not largest at the point'
 renders point.json -o out/point.png --luminance out/again.pfm --size 41x21
 cmp -s out/point.pfm out/again.pfm || complain 'the luminance depends on what else is written'
+# Half of what glows is behind a wall.
+sed 's/ }\]/ }], "opaque": [{ "shape": "plane", "point": [0, 0, 0], "normal": [0, 0, 1] }]/' point.json > wall.json
+renders wall.json --luminance out/wall.pfm --size 41x21
+{ "$probe" pixel out/point.pfm 25 10 && "$probe" pixel out/wall.pfm 25 10; } |
+    awk '{ b[NR] = $1 } END { exit !(0 < b[2] && b[2] < 0.9 * b[1]) }' || complain 'light shines through a wall'
 renders box.json --luminance out/dark.pfm --size 41x21
 is 'the luminance of nothing' 0 "$("$probe" pixel out/dark.pfm 20 10)"
 
@@ -84,7 +89,7 @@ printf 'old' > out/box.png
 renders box.json -o out/box.png --size 40x20
 is 'the size of a replaced picture' '40 20 3' "$("$probe" size out/box.png)"
 is 'the permissions of a picture' '-rw-r--r--' "$(ls -l out/box.png | cut -c 1-10)"
-is 'the files left' 'again.pfm box.hdr box.pfm box.png dark.pfm point.pfm point.png' "$(ls -A out | tr '\n' ' ' | sed 's/ $//')"
+is 'the files left' 'again.pfm box.hdr box.pfm box.png dark.pfm point.pfm point.png wall.pfm' "$(ls -A out | tr '\n' ' ' | sed 's/ $//')"
 
 for integrator in adaptive adaptive:1e-2 adaptive:1e-3 adaptive:1e-4 simpson:2 simpson:200; do
     renders point.json -o out/point.png --size 16x9 --integrator $integrator
