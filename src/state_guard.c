@@ -158,10 +158,10 @@ void ew_gl_set_draw_state(const ew_gl *gl, ew_gl_state *state, const ew_gl_draw_
                                         (GLfloat)draw->viewport[3]});
 
     set_blend(gl, draw->blend);
-    if (draw->blend) {
+    if (draw->blend)
         set_blend_factors(gl, draw->source_rgb, draw->destination_rgb, draw->source_alpha, draw->destination_alpha);
-        set_blend_equation(gl, GL_FUNC_ADD, GL_FUNC_ADD);
-    }
+    /* Without blending, too: an advanced equation is an error as long as any draw buffer blends, also one not drawn to. */
+    set_blend_equation(gl, GL_FUNC_ADD, GL_FUNC_ADD);
     set_color_mask(gl, (const GLboolean[4]){GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE});
     if (gl->PolygonMode) gl->PolygonMode(GL_FRONT_AND_BACK, GL_FILL);
     if (gl->ClampColor) gl->ClampColor(COMPATIBILITY_CLAMP_FRAGMENT_COLOR, GL_FALSE);
