@@ -108,8 +108,8 @@ static bool draw_effect(const gl_functions *gl, ew_effect *effect, const ew_scen
     return true;
 }
 
-static bool draw_opaque(const gl_functions *gl, const ew_scene *scene, const render_settings *settings,
-                        const render_target *target, char *message, size_t size)
+bool render_opaque(const gl_functions *gl, const ew_scene *scene, const render_settings *settings, const render_target *target,
+                   char *message, size_t size)
 {
     gl->BindFramebuffer(GL_FRAMEBUFFER, target->opaque_framebuffer);
     bool ok = opaque_draw(gl, scene, settings->width, settings->height, message, size);
@@ -127,7 +127,7 @@ bool render_scene(gl_context *context, const ew_scene *scene, const render_setti
         return false;
     }
     if (!render_create_target(gl, settings, &target, message, size)) return false;
-    bool ok = draw_opaque(gl, scene, settings, &target, message, size);
+    bool ok = render_opaque(gl, scene, settings, &target, message, size);
     if (ok) {
         ew_effect *effect = NULL;
         ew_error error;

@@ -38,6 +38,10 @@ bool render_create_target(const gl_functions *gl, const render_settings *setting
 
 void render_destroy_target(const gl_functions *gl, render_target *target);
 
+/* Draws the scene's opaque shapes into the target's colour and depth. On failure returns false, with a message. */
+bool render_opaque(const gl_functions *gl, const ew_scene *scene, const render_settings *settings, const render_target *target,
+                   char *message, size_t size);
+
 /* The frame that draws the scene's effect onto the target's colour. */
 ew_frame_desc render_frame(const ew_scene *scene, const render_settings *settings, const render_target *target);
 

@@ -103,13 +103,17 @@ static value element(const value *array, size_t index)
     return (value){json_array_get(array->json, index), {&array->at, NULL, index}};
 }
 
-/* A fault unless the value is an object with no keys but the given ones, up to a NULL. */
-static void check_object(reader *r, const value *object, const char *const *keys)
+static bool check_object(reader *r, const value *object)
 {
-    if (!json_is_object(object->json)) {
-        fail(r, &object->at, "must be an object, not %s", type_text(object->json));
-        return;
-    }
+    if (json_is_object(object->json)) return true;
+    fail(r, &object->at, "must be an object, not %s", type_text(object->json));
+    return false;
+}
+
+/* A fault unless the value is an object with no keys but the given ones, up to a NULL. */
+static void check_keys(reader *r, const value *object, const char *const *keys)
+{
+    if (!check_object(r, object)) return;
     const char *key;
     const json_t *ignored;
     json_object_foreach((json_t *)object->json, key, ignored)
@@ -260,7 +264,7 @@ static void read_point(reader *r, const value *source, void *result)
 {
     static const char *const keys[] = {"position", "coefficient", "color", NULL};
     ew_point *point = result;
-    check_object(r, source, keys);
+    check_keys(r, source, keys);
     vector_member(r, source, "position", REQUIRED, ANY, point->position);
     read_light(r, source, &point->coefficient, point->color);
 }
@@ -269,7 +273,7 @@ static void read_line(reader *r, const value *source, void *result)
 {
     static const char *const keys[] = {"position", "direction", "coefficient", "color", NULL};
     ew_line *line = result;
-    check_object(r, source, keys);
+    check_keys(r, source, keys);
     vector_member(r, source, "position", REQUIRED, ANY, line->position);
     direction_member(r, source, "direction", line->direction);
     read_light(r, source, &line->coefficient, line->color);
@@ -279,7 +283,7 @@ static void read_torus(reader *r, const value *source, void *result)
 {
     static const char *const keys[] = {"center", "axis", "radius", "coefficient", "color", NULL};
     ew_torus *torus = result;
-    check_object(r, source, keys);
+    check_keys(r, source, keys);
     vector_member(r, source, "center", REQUIRED, ANY, torus->center);
     direction_member(r, source, "axis", torus->axis);
     number_member(r, source, "radius", REQUIRED, NOT_NEGATIVE, &torus->radius);
@@ -312,7 +316,7 @@ static void read_curve(reader *r, const value *source, void *result)
 {
     static const char *const keys[] = {"control_points", "polynomial", "domain", "weights", "coefficient", "color", NULL};
     ew_curve *curve = result;
-    check_object(r, source, keys);
+    check_keys(r, source, keys);
     bool bezier = json_object_get(source->json, "control_points"), polynomial = json_object_get(source->json, "polynomial");
     if (bezier == polynomial) fail(r, &source->at, "must have either control_points or a polynomial");
     if (bezier) {
@@ -333,7 +337,6 @@ static void read_curve(reader *r, const value *source, void *result)
 
 static void read_opaque(reader *r, const value *shape, void *result)
 {
-    static const char *const all_keys[] = {"shape", "min", "max", "point", "normal", "center", "radius", "color", NULL};
     static const char *const keys[][5] = {
         [EW_OPAQUE_BOX] = {"shape", "min", "max", "color"},
         [EW_OPAQUE_PLANE] = {"shape", "point", "normal", "color"},
@@ -342,10 +345,10 @@ static void read_opaque(reader *r, const value *shape, void *result)
     static const char *const kinds[] = {
         [EW_OPAQUE_BOX] = "box", [EW_OPAQUE_PLANE] = "plane", [EW_OPAQUE_SPHERE] = "sphere", NULL};
     ew_opaque *opaque = result;
-    check_object(r, shape, all_keys);
+    if (!check_object(r, shape)) return;
     opaque->kind = (ew_opaque_kind)word_member(r, shape, "shape", REQUIRED, kinds);
     if (!r->ok) return;
-    check_object(r, shape, keys[opaque->kind]);
+    check_keys(r, shape, keys[opaque->kind]);
     switch (opaque->kind) {
     case EW_OPAQUE_BOX: {
         double *min = opaque->shape.box.min, *max = opaque->shape.box.max;
@@ -380,9 +383,9 @@ static void read_camera(reader *r, const value *root, ew_scene_camera *camera)
     static const char *const projections[] = {"perspective", "orthographic", NULL};
     *camera = (ew_scene_camera){.up = {0, 1, 0}, .fov_y_degrees = 45, .height = 2, .near_depth = 0.1, .far_depth = 100};
     value object = member(r, root, "camera", REQUIRED);
-    if (!object.json) return;
-    camera->orthographic = json_is_object(object.json) && word_member(r, &object, "projection", OPTIONAL, projections) == 1;
-    check_object(r, &object, camera->orthographic ? orthographic_keys : perspective_keys);
+    if (!object.json || !check_object(r, &object)) return;
+    camera->orthographic = word_member(r, &object, "projection", OPTIONAL, projections) == 1;
+    check_keys(r, &object, camera->orthographic ? orthographic_keys : perspective_keys);
     vector_member(r, &object, "eye", REQUIRED, ANY, camera->eye);
     vector_member(r, &object, "target", REQUIRED, ANY, camera->target);
     vector_member(r, &object, "up", OPTIONAL, ANY, camera->up);
@@ -419,7 +422,7 @@ static void read_interval(reader *r, const value *root, ew_scene *scene)
     scene->interval_end = scene->camera.far_depth;
     value object = member(r, root, "interval", OPTIONAL);
     if (!object.json) return;
-    check_object(r, &object, keys);
+    check_keys(r, &object, keys);
     number_member(r, &object, "start", OPTIONAL, scene->camera.orthographic ? ANY : POSITIVE, &scene->interval_start);
     number_member(r, &object, "end", OPTIONAL, ANY, &scene->interval_end);
     place end_place = {&object.at, "end", 0};
@@ -438,7 +441,7 @@ static void read_decay(reader *r, const value *root, ew_scene *scene)
     scene->decay_beta = 1;
     value object = member(r, root, "decay", OPTIONAL);
     if (!object.json) return;
-    check_object(r, &object, keys);
+    check_keys(r, &object, keys);
     number_member(r, &object, "alpha", OPTIONAL, NOT_NEGATIVE, &scene->decay_alpha);
     number_member(r, &object, "beta", OPTIONAL, POSITIVE, &scene->decay_beta);
 }
@@ -457,7 +460,7 @@ static void read_scene(reader *r, const value *root, ew_scene *scene)
     static const char *const keys[] = {"version",   "comment", "camera", "interval", "decay",  "epsilon", "background", "color",
                                        "composite", "points",  "lines",  "tori",     "curves", "opaque",  NULL};
     static const char *const composites[] = {"lerp", "add", NULL};
-    check_object(r, root, keys);
+    check_keys(r, root, keys);
     read_version_and_comment(r, root);
     read_camera(r, root, &scene->camera);
     read_interval(r, root, scene);
