@@ -55,8 +55,10 @@
     X(PFNGLGETSTRINGIPROC, GetStringi)                                                                                         \
     X(PFNGLGETUNIFORMBLOCKINDEXPROC, GetUniformBlockIndex)                                                                     \
     X(PFNGLGETUNIFORMLOCATIONPROC, GetUniformLocation)                                                                         \
+    X(PFNGLISBUFFERPROC, IsBuffer)                                                                                             \
     X(PFNGLISENABLEDPROC, IsEnabled)                                                                                           \
     X(PFNGLISFRAMEBUFFERPROC, IsFramebuffer)                                                                                   \
+    X(PFNGLISSAMPLERPROC, IsSampler)                                                                                           \
     X(PFNGLISTEXTUREPROC, IsTexture)                                                                                           \
     X(PFNGLLINKPROGRAMPROC, LinkProgram)                                                                                       \
     X(PFNGLSAMPLERPARAMETERIPROC, SamplerParameteri)                                                                           \

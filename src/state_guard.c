@@ -13,6 +13,14 @@ static GLint get_integer(const ew_gl *gl, GLenum name)
     return value;
 }
 
+/* The name of what is bound, or 0 if another context has deleted it since: binding such a name is an error in the core profile,
+ * and makes a new object in the others. */
+static GLuint get_binding(const ew_gl *gl, GLenum name, GLboolean(APIENTRYP is_object)(GLuint name))
+{
+    GLuint binding = (GLuint)get_integer(gl, name);
+    return binding != 0 && is_object(binding) ? binding : 0;
+}
+
 /* GL deletes a program that is flagged for deletion as soon as it is not current anywhere, unless it is the active program of
  * a pipeline (OpenGL 4.6 core, 7.3): so a pipeline of our own keeps it. */
 static ew_result keep_program(const ew_gl *gl, ew_gl_state *state, ew_error *error)
@@ -38,6 +46,17 @@ static ew_result keep_program(const ew_gl *gl, ew_gl_state *state, ew_error *err
     return EW_OK;
 }
 
+static void save_uniform_binding(const ew_gl *gl, GLuint index, ew_gl_buffer_binding *binding)
+{
+    GLint buffer = 0;
+    gl->GetIntegeri_v(GL_UNIFORM_BUFFER_BINDING, index, &buffer);
+    *binding = (ew_gl_buffer_binding){0};
+    if (buffer == 0 || !gl->IsBuffer((GLuint)buffer)) return;
+    binding->buffer = (GLuint)buffer;
+    gl->GetInteger64i_v(GL_UNIFORM_BUFFER_START, index, &binding->start);
+    gl->GetInteger64i_v(GL_UNIFORM_BUFFER_SIZE, index, &binding->size);
+}
+
 ew_result ew_gl_save_state(const ew_gl *gl, ew_gl_state *state, ew_error *error)
 {
     state->program = (GLuint)get_integer(gl, GL_CURRENT_PROGRAM);
@@ -50,19 +69,14 @@ ew_result ew_gl_save_state(const ew_gl *gl, ew_gl_state *state, ew_error *error)
     if (state->transform_feedback_paused) gl->PauseTransformFeedback();
 
     state->vertex_array = (GLuint)get_integer(gl, GL_VERTEX_ARRAY_BINDING);
-    state->uniform_buffer = (GLuint)get_integer(gl, GL_UNIFORM_BUFFER_BINDING);
-    for (GLuint i = 0; i < EW_BINDING_COUNT; i++) {
-        GLint buffer = 0;
-        gl->GetIntegeri_v(GL_UNIFORM_BUFFER_BINDING, i, &buffer);
-        state->uniform_bindings[i].buffer = (GLuint)buffer;
-        gl->GetInteger64i_v(GL_UNIFORM_BUFFER_START, i, &state->uniform_bindings[i].start);
-        gl->GetInteger64i_v(GL_UNIFORM_BUFFER_SIZE, i, &state->uniform_bindings[i].size);
-    }
+    state->uniform_buffer = get_binding(gl, GL_UNIFORM_BUFFER_BINDING, gl->IsBuffer);
+    for (GLuint i = 0; i < EW_BINDING_COUNT; i++)
+        save_uniform_binding(gl, i, &state->uniform_bindings[i]);
 
     state->active_texture = (GLenum)get_integer(gl, GL_ACTIVE_TEXTURE);
     gl->ActiveTexture(GL_TEXTURE0 + EW_GL_DEPTH_TEXTURE_UNIT);
-    state->texture = (GLuint)get_integer(gl, GL_TEXTURE_BINDING_2D);
-    state->sampler = (GLuint)get_integer(gl, GL_SAMPLER_BINDING);
+    state->texture = get_binding(gl, GL_TEXTURE_BINDING_2D, gl->IsTexture);
+    state->sampler = get_binding(gl, GL_SAMPLER_BINDING, gl->IsSampler);
 
     state->framebuffer = (GLuint)get_integer(gl, GL_DRAW_FRAMEBUFFER_BINDING);
     state->draw_buffer_count = 0;
@@ -172,12 +186,11 @@ void ew_gl_set_draw_state(const ew_gl *gl, ew_gl_state *state, const ew_gl_draw_
 static void restore_uniform_bindings(const ew_gl *gl, const ew_gl_state *state)
 {
     for (GLuint i = 0; i < EW_BINDING_COUNT; i++) {
-        GLuint buffer = state->uniform_bindings[i].buffer;
-        GLint64 start = state->uniform_bindings[i].start, size = state->uniform_bindings[i].size;
-        if (size > 0)
-            gl->BindBufferRange(GL_UNIFORM_BUFFER, i, buffer, (GLintptr)start, (GLsizeiptr)size);
-        else
-            gl->BindBufferBase(GL_UNIFORM_BUFFER, i, buffer);
+        const ew_gl_buffer_binding *binding = &state->uniform_bindings[i];
+        if (binding->size > 0)
+            gl->BindBufferRange(GL_UNIFORM_BUFFER, i, binding->buffer, (GLintptr)binding->start, (GLsizeiptr)binding->size);
+        else /* the whole buffer, whatever its size */
+            gl->BindBufferBase(GL_UNIFORM_BUFFER, i, binding->buffer);
     }
     gl->BindBuffer(GL_UNIFORM_BUFFER, state->uniform_buffer); /* last: the others set it too */
 }

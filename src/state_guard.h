@@ -9,7 +9,14 @@
  * EW_BINDING_COUNT - 1. */
 enum { EW_GL_DEPTH_TEXTURE_UNIT = 0 };
 
-enum { EW_GL_MAX_DRAW_BUFFERS = 32 };
+/* As many as GL has enumerators for. */
+enum { EW_GL_MAX_DRAW_BUFFERS = 16 };
+
+typedef struct ew_gl_buffer_binding {
+    GLuint buffer;
+    GLint64 start;
+    GLint64 size; /* 0: all of it */
+} ew_gl_buffer_binding;
 
 typedef struct ew_gl_state {
     GLuint program;
@@ -17,11 +24,7 @@ typedef struct ew_gl_state {
     bool transform_feedback_paused;
     GLuint vertex_array;
     GLuint uniform_buffer;
-    struct {
-        GLuint buffer;
-        GLint64 start;
-        GLint64 size;
-    } uniform_bindings[EW_BINDING_COUNT];
+    ew_gl_buffer_binding uniform_bindings[EW_BINDING_COUNT];
     GLenum active_texture;
     GLuint texture;
     GLuint sampler;
@@ -45,6 +48,10 @@ typedef struct ew_gl_draw_state {
     bool blend; /* with these factors, adding */
     GLenum source_rgb, destination_rgb, source_alpha, destination_alpha;
 } ew_gl_draw_state;
+
+/* What the guard cannot keep: samples that the effect draws count in the host's active queries; an object that another context
+ * has deleted while it was bound here cannot be bound again, and leaves 0 in its place; and in contexts that cannot pause
+ * transform feedback (OpenGL 3.3 without ARB_transform_feedback2) it must not be active. */
 
 /* Saves the host's state and makes room for the effect's program: pauses transform feedback. After success, all of the state
  * that ew_gl_state names may be changed, and ew_gl_restore_state must follow.

@@ -48,7 +48,9 @@
     X(PFNGLDEBUGMESSAGECALLBACKPROC, DebugMessageCallback, 32, "KHR")                                                          \
     X(PFNGLDELETEBUFFERSPROC, DeleteBuffers, 0, "")                                                                            \
     X(PFNGLDELETEPROGRAMPROC, DeleteProgram, 0, "")                                                                            \
+    X(PFNGLDELETESAMPLERSPROC, DeleteSamplers, 0, "")                                                                          \
     X(PFNGLDELETESHADERPROC, DeleteShader, 0, "")                                                                              \
+    X(PFNGLDELETETEXTURESPROC, DeleteTextures, 0, "")                                                                          \
     X(PFNGLDELETEVERTEXARRAYSPROC, DeleteVertexArrays, 0, "")                                                                  \
     X(PFNGLDEPTHFUNCPROC, DepthFunc, 0, "")                                                                                    \
     X(PFNGLDEPTHMASKPROC, DepthMask, 0, "")                                                                                    \
@@ -96,9 +98,12 @@
     X(PFNGLGETVERTEXATTRIBFVPROC, GetVertexAttribfv, 0, "")                                                                    \
     X(PFNGLGETVERTEXATTRIBIVPROC, GetVertexAttribiv, 0, "")                                                                    \
     X(PFNGLHINTPROC, Hint, 0, "")                                                                                              \
+    X(PFNGLISBUFFERPROC, IsBuffer, 0, "")                                                                                      \
     X(PFNGLISENABLEDPROC, IsEnabled, 0, "")                                                                                    \
     X(PFNGLISENABLEDIPROC, IsEnabledi, 32, "OES")                                                                              \
     X(PFNGLISPROGRAMPROC, IsProgram, 0, "")                                                                                    \
+    X(PFNGLISSAMPLERPROC, IsSampler, 0, "")                                                                                    \
+    X(PFNGLISTEXTUREPROC, IsTexture, 0, "")                                                                                    \
     X(PFNGLLINEWIDTHPROC, LineWidth, 0, "")                                                                                    \
     X(PFNGLLINKPROGRAMPROC, LinkProgram, 0, "")                                                                                \
     X(PFNGLLOGICOPPROC, LogicOp, 0, "")                                                                                        \

@@ -71,6 +71,11 @@ GLuint build_program(const char *vertex_shader, const char *fragment_shader, con
 static const char host_vertex_shader[] = "out vec4 captured;\nvoid main() { captured = vec4(1.0); gl_Position = captured; }\n";
 static const char host_fragment_shader[] = "in vec4 captured;\nout vec4 color;\nvoid main() { color = captured; }\n";
 
+GLuint build_host_program(void)
+{
+    return build_program(host_vertex_shader, host_fragment_shader, NULL);
+}
+
 static const struct {
     GLenum target;
     int desktop_version;
@@ -103,7 +108,7 @@ void host_create(test_host *host)
 {
     *host = (test_host){.random = 1};
     for (int i = 0; i < 2; i++)
-        host->programs[i] = build_program(host_vertex_shader, host_fragment_shader, NULL);
+        host->programs[i] = build_host_program();
     host->programs[2] = build_program(host_vertex_shader, host_fragment_shader, "captured");
     if (has_pipelines()) gl.GenProgramPipelines(1, &host->pipeline);
     gl.GenVertexArrays(COUNT(host->vertex_arrays), host->vertex_arrays);
@@ -319,15 +324,18 @@ static void scramble_blending(test_host *host)
                                      GL_DST_COLOR,      GL_ONE_MINUS_DST_COLOR,
                                      GL_SRC_ALPHA,      GL_ONE_MINUS_SRC_ALPHA,
                                      GL_DST_ALPHA,      GL_ONE_MINUS_DST_ALPHA,
-                                     GL_CONSTANT_COLOR, GL_CONSTANT_ALPHA};
+                                     GL_CONSTANT_COLOR, GL_CONSTANT_ALPHA,
+                                     GL_SRC1_COLOR,     GL_ONE_MINUS_SRC1_ALPHA};
     static const GLenum equations[] = {GL_FUNC_ADD, GL_FUNC_SUBTRACT, GL_FUNC_REVERSE_SUBTRACT, GL_MIN, GL_MAX};
     static const GLenum advanced[] = {GL_MULTIPLY_KHR, GL_SCREEN_KHR, GL_HSL_HUE_KHR};
+    const int factor_count = COUNT(factors) - (api_has(33, NEVER, "GL_EXT_blend_func_extended") ? 0 : 2);
     bool has_advanced = api_has(NEVER, 32, "GL_KHR_blend_equation_advanced");
     bool indexed_mask = api_has(33, 32, "GL_OES_draw_buffers_indexed");
     bool indexed_blend = api_has(40, 32, gl.es ? "GL_OES_draw_buffers_indexed" : "GL_ARB_draw_buffers_blend");
     (coin(host) ? gl.Enable : gl.Disable)(GL_BLEND);
     gl.BlendColor(fraction(host), fraction(host), fraction(host), fraction(host));
-    gl.BlendFuncSeparate(PICK(host, factors), PICK(host, factors), PICK(host, factors), PICK(host, factors));
+    gl.BlendFuncSeparate(factors[host_random(host, factor_count)], factors[host_random(host, factor_count)],
+                         factors[host_random(host, factor_count)], factors[host_random(host, factor_count)]);
     gl.BlendEquationSeparate(PICK(host, equations), PICK(host, equations));
     if (has_advanced && host_random(host, 4) == 0) gl.BlendEquation(PICK(host, advanced));
     gl.ColorMask((GLboolean)coin(host), (GLboolean)coin(host), (GLboolean)coin(host), (GLboolean)coin(host));
@@ -340,7 +348,8 @@ static void scramble_blending(test_host *host)
             gl.ColorMaski(i, (GLboolean)coin(host), (GLboolean)coin(host), (GLboolean)coin(host), (GLboolean)coin(host));
         }
         if (indexed_blend) {
-            gl.BlendFuncSeparatei(i, PICK(host, factors), PICK(host, factors), PICK(host, factors), PICK(host, factors));
+            gl.BlendFuncSeparatei(i, factors[host_random(host, factor_count)], factors[host_random(host, factor_count)],
+                                  factors[host_random(host, factor_count)], factors[host_random(host, factor_count)]);
             gl.BlendEquationSeparatei(i, PICK(host, equations), PICK(host, equations));
             if (has_advanced && host_random(host, 4) == 0) gl.BlendEquationi(i, PICK(host, advanced));
         }
@@ -440,7 +449,7 @@ static void scramble_program(test_host *host, bool allow_deleted_program)
             if (coin(host)) gl.UseProgram(PICK_NAME(host, host->programs));
         }
     } else if (choice == 2 && allow_deleted_program) {
-        host->programs[3] = build_program(host_vertex_shader, host_fragment_shader, NULL);
+        host->programs[3] = build_host_program();
         gl.UseProgram(host->programs[3]);
         gl.DeleteProgram(host->programs[3]);
     } else {

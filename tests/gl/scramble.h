@@ -42,6 +42,8 @@ int host_random(test_host *host, int count);
 /* Whether the context has program pipelines. */
 bool has_pipelines(void);
 
+/* A linked program: of the host's own, and of these shaders, without their version. */
+GLuint build_host_program(void);
 GLuint build_program(const char *vertex_shader, const char *fragment_shader, const char *feedback_varying);
 
 #endif

@@ -14,7 +14,11 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { WIDTH = 32, HEIGHT = 24, SEEDS = 400 };
+enum { WIDTH = 32, HEIGHT = 24 };
+
+/* As many that every capability is the only one enabled before a draw to every target. The effect takes fewer: its shaders are
+ * slow to compile, anew for much of the state that changes. */
+enum { GUARD_SEEDS = 400, EFFECT_SEEDS = 100, LIFE_SEEDS = 10 };
 
 static const struct {
     const char *name;
@@ -55,6 +59,7 @@ typedef struct test_picture {
 static test_context *contexts[2];
 static test_host host;
 static GLuint resolve_framebuffer; /* of the clean context */
+static GLuint incomplete_framebuffers[2];
 static GLuint depth_texture;
 
 static bool watching;
@@ -89,6 +94,14 @@ static GLuint make_framebuffer(const test_target *target)
     return framebuffer;
 }
 
+static GLuint make_incomplete_framebuffer(void)
+{
+    GLuint framebuffer;
+    gl.GenFramebuffers(1, &framebuffer);
+    gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    return framebuffer;
+}
+
 static void make_targets(void)
 {
     for (int i = 0; i < TARGET_COUNT; i++) {
@@ -112,7 +125,7 @@ static void make_targets(void)
     GLfloat depth[HEIGHT][WIDTH];
     for (int y = 0; y < HEIGHT; y++)
         for (int x = 0; x < WIDTH; x++)
-            depth[y][x] = (GLfloat)(x + y) / (WIDTH + HEIGHT);
+            depth[y][x] = 1 - 0.05f * (GLfloat)(x + y) / (WIDTH + HEIGHT);
     gl.GenTextures(1, &depth_texture);
     gl.BindTexture(GL_TEXTURE_2D, depth_texture);
     gl.TexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT32F, WIDTH, HEIGHT, 0, GL_DEPTH_COMPONENT, GL_FLOAT, depth);
@@ -251,7 +264,7 @@ static test_outcome draw_scrambled(const test_subject *subject, const test_targe
 }
 
 /* Draws from scrambled states. All must be as before, and the picture as from the clean state. */
-static void check_neutrality(const test_subject *subject)
+static void check_neutrality(const test_subject *subject, int seeds)
 {
     test_picture cleared, expected, found, bystander;
     int failures = 0;
@@ -260,7 +273,7 @@ static void check_neutrality(const test_subject *subject)
     make_current(SCRAMBLED);
     subject->create(SCRAMBLED);
 
-    for (unsigned long long seed = 1; seed <= SEEDS && failures < 5; seed++) {
+    for (unsigned long long seed = 1; seed <= (unsigned)seeds && failures < 5; seed++) {
         const test_target *target = &targets[seed / 2 % TARGET_COUNT];
         host_wish wish;
         test_outcome outcome = draw_scrambled(subject, target, seed, &wish);
@@ -367,7 +380,208 @@ static void guard_restores_all_state_and_the_picture_is_clean(void **unused)
 {
     (void)unused;
     static const test_subject subject = {guarded_draw, guarded_create, guarded_destroy};
-    check_neutrality(&subject);
+    check_neutrality(&subject, GUARD_SEEDS);
+}
+
+/* ---- The effect itself ----------------------------------------------------------------------------------------------------
+ */
+
+static ew_effect *effects[2];
+
+static void effect_create(int context)
+{
+    const ew_effect_desc desc = {.get_proc_address = test_context_get_proc_address, .user = contexts[context]};
+    const ew_point point = {.position = {0.1, 0.1, 0}, .coefficient = 0.3, .color = {1, 0.5, 0.2}};
+    const ew_line line = {.position = {0, -0.5, 0}, .direction = {1, 0.2, 0.1}, .coefficient = 0.2, .color = {0.2, 0.5, 1}};
+    const ew_torus torus = {.axis = {0, 0.3, 1}, .radius = 0.8, .coefficient = 0.1, .color = {0.2, 1, 0.5}};
+    const double weights[3] = {1, 0.2, 0.6};
+    const ew_curve curve = {.polynomial = {{-1, 0, 0}, {2, 0.5, 0.1}, {0, 0.5, 0}},
+                            .domain = {0, 1},
+                            .weights = weights,
+                            .weight_count = 3,
+                            .coefficient = 0.2,
+                            .color = {1, 0.2, 0.2}};
+    const ew_sources_desc sources = {&point, 1, &line, 1, &torus, 1, &curve, 1, 1e-2};
+    ew_error error = {.text = ""};
+    if (ew_create_effect(&desc, &effects[context], &error) != EW_OK) fail_msg("%s", error.text);
+    if (ew_set_sources(effects[context], &sources, &error) != EW_OK) fail_msg("%s", error.text);
+}
+
+static void effect_destroy(int context)
+{
+    ew_destroy_effect(effects[context]);
+    effects[context] = NULL;
+}
+
+static ew_frame_desc effect_frame(int context, const test_target *target)
+{
+    static const ew_output outputs[TARGET_COUNT] = {EW_OUTPUT_LERP, EW_OUTPUT_LUMINANCE, EW_OUTPUT_ADD};
+    ew_frame_desc frame = EW_FRAME_DEFAULTS;
+    frame.view[14] = -3;
+    frame.interval_start = 1;
+    frame.interval_end = 5;
+    frame.output = outputs[target - targets];
+    frame.framebuffer = target->framebuffers[context];
+    frame.viewport_width = WIDTH;
+    frame.viewport_height = HEIGHT;
+    frame.depth_texture = depth_texture;
+    return frame;
+}
+
+static void effect_draw(int context, const test_target *target)
+{
+    const ew_frame_desc frame = effect_frame(context, target);
+    ew_error error = {.text = ""};
+    if (ew_draw(effects[context], &frame, &error) != EW_OK) fail_msg("%s", error.text);
+}
+
+static void draw_leaves_all_state_and_the_picture_is_clean(void **unused)
+{
+    (void)unused;
+    static const test_subject subject = {effect_draw, effect_create, effect_destroy};
+    check_neutrality(&subject, EFFECT_SEEDS);
+}
+
+static void create_nothing(int context)
+{
+    (void)context;
+}
+
+static void effect_live(int context, const test_target *target)
+{
+    effect_create(context);
+    effect_draw(context, target);
+    effect_destroy(context);
+}
+
+static void create_and_destroy_leave_all_state(void **unused)
+{
+    (void)unused;
+    static const test_subject subject = {effect_live, create_nothing, create_nothing};
+    check_neutrality(&subject, LIFE_SEEDS);
+}
+
+static void expect_failure(int context, const ew_frame_desc *frame, ew_result result)
+{
+    ew_error error = {.text = ""};
+    assert_int_equal(ew_draw(effects[context], frame, &error), result);
+    assert_int_equal(error.code, result);
+    assert_true(strlen(error.text) > 0);
+}
+
+/* Frames that are refused before GL is touched, and some that GL refuses; then a good one. */
+static void effect_draw_after_failures(int context, const test_target *target)
+{
+    ew_frame_desc frame = effect_frame(context, target);
+    frame.interval_end = frame.interval_start;
+    expect_failure(context, &frame, EW_ERROR_INVALID_ARGUMENT);
+    frame = effect_frame(context, target);
+    frame.framebuffer = 12345;
+    expect_failure(context, &frame, EW_ERROR_INVALID_ARGUMENT);
+    frame = effect_frame(context, target);
+    frame.depth_texture = 12345;
+    expect_failure(context, &frame, EW_ERROR_INVALID_ARGUMENT);
+    frame = effect_frame(context, target);
+    frame.framebuffer = incomplete_framebuffers[context];
+    bool watched = watching;
+    watching = false; /* Mesa says what an incomplete framebuffer lacks */
+    expect_failure(context, &frame, EW_ERROR_OPENGL);
+    watching = watched;
+    effect_draw(context, target);
+}
+
+static void failed_draws_leave_all_state(void **unused)
+{
+    (void)unused;
+    static const test_subject subject = {effect_draw_after_failures, effect_create, effect_destroy};
+    check_neutrality(&subject, LIFE_SEEDS);
+}
+
+/* Draws with `program` in use, which is the caller's to prepare, and expects a refusal that says `text`, or success if NULL. */
+static void check_draw_with_program(GLuint program, const char *text)
+{
+    static state before, after;
+    ew_error error = {.text = ""};
+    const state_objects objects = {.programs = &program, .program_count = 1};
+    const ew_frame_desc frame = effect_frame(SCRAMBLED, &targets[0]);
+    state_take(&before, &objects);
+    ew_result result = ew_draw(effects[SCRAMBLED], &frame, &error);
+    state_take(&after, &objects);
+    assert_int_equal(state_count_differences(&before, &after), 0);
+    state_free(&before);
+    state_free(&after);
+    assert_int_equal(gl.GetError(), GL_NO_ERROR);
+    assert_int_equal(result, text ? EW_ERROR_OPENGL : EW_OK);
+    if (text) assert_non_null(strstr(error.text, text));
+}
+
+static void a_program_that_cannot_be_restored_is_refused(void **unused)
+{
+    (void)unused;
+    make_current(SCRAMBLED);
+    host_scramble(&host, 1, false);
+    host_settle(&host);
+    effect_create(SCRAMBLED);
+
+    GLuint program = build_host_program();
+    gl.UseProgram(program);
+    const char *nothing = "nothing";
+    gl.TransformFeedbackVaryings(program, 1, &nothing, GL_INTERLEAVED_ATTRIBS);
+    gl.LinkProgram(program); /* fails */
+    check_draw_with_program(program, "linked again");
+    gl.UseProgram(0);
+    gl.DeleteProgram(program);
+
+    program = build_host_program();
+    gl.UseProgram(program);
+    gl.DeleteProgram(program);
+    check_draw_with_program(program, has_pipelines() ? NULL : "flagged for deletion");
+    gl.UseProgram(0);
+    assert_false(gl.IsProgram(program));
+    effect_destroy(SCRAMBLED);
+}
+
+static void objects_that_another_context_deleted_do_not_come_back(void **unused)
+{
+    (void)unused;
+    make_current(SCRAMBLED);
+    effect_create(SCRAMBLED);
+    host_scramble(&host, 1, false);
+    host_settle(&host);
+    GLuint texture, sampler, buffer;
+    gl.GenTextures(1, &texture);
+    gl.ActiveTexture(GL_TEXTURE0 + EW_GL_DEPTH_TEXTURE_UNIT);
+    gl.BindTexture(GL_TEXTURE_2D, texture);
+    gl.GenSamplers(1, &sampler);
+    gl.BindSampler(EW_GL_DEPTH_TEXTURE_UNIT, sampler);
+    gl.GenBuffers(1, &buffer);
+    for (GLuint i = 0; i < EW_BINDING_COUNT; i++)
+        gl.BindBufferBase(GL_UNIFORM_BUFFER, i, buffer);
+    gl.Finish();
+    make_current(CLEAN);
+    gl.DeleteTextures(1, &texture);
+    gl.DeleteSamplers(1, &sampler);
+    gl.DeleteBuffers(1, &buffer);
+    gl.Finish();
+
+    make_current(SCRAMBLED);
+    effect_draw(SCRAMBLED, &targets[0]);
+    assert_int_equal(gl.GetError(), GL_NO_ERROR);
+    assert_false(gl.IsTexture(texture));
+    assert_false(gl.IsSampler(sampler));
+    assert_false(gl.IsBuffer(buffer));
+    GLint bound = -1;
+    gl.GetIntegerv(GL_TEXTURE_BINDING_2D, &bound);
+    assert_int_equal(bound, 0);
+    gl.GetIntegerv(GL_SAMPLER_BINDING, &bound);
+    assert_int_equal(bound, 0);
+    gl.GetIntegerv(GL_UNIFORM_BUFFER_BINDING, &bound);
+    assert_int_equal(bound, 0);
+    for (GLuint i = 0; i < EW_BINDING_COUNT; i++) {
+        gl.GetIntegeri_v(GL_UNIFORM_BUFFER_BINDING, i, &bound);
+        assert_int_equal(bound, 0);
+    }
+    effect_destroy(SCRAMBLED);
 }
 
 int main(int argc, char **argv)
@@ -384,15 +598,22 @@ int main(int argc, char **argv)
         api_load(contexts[CLEAN]);
         watch_debug_messages();
         make_targets();
+        incomplete_framebuffers[CLEAN] = make_incomplete_framebuffer();
         make_current(SCRAMBLED);
         watch_debug_messages();
         host_create(&host);
+        incomplete_framebuffers[SCRAMBLED] = make_incomplete_framebuffer();
         for (int j = 0; j < TARGET_COUNT; j++)
             targets[j].framebuffers[SCRAMBLED] = make_framebuffer(&targets[j]);
         fprintf(stderr, "%s, %s\n", (const char *)gl.GetString(GL_RENDERER), (const char *)gl.GetString(GL_VERSION));
 
         const struct CMUnitTest tests[] = {
             cmocka_unit_test(guard_restores_all_state_and_the_picture_is_clean),
+            cmocka_unit_test(draw_leaves_all_state_and_the_picture_is_clean),
+            cmocka_unit_test(create_and_destroy_leave_all_state),
+            cmocka_unit_test(failed_draws_leave_all_state),
+            cmocka_unit_test(a_program_that_cannot_be_restored_is_refused),
+            cmocka_unit_test(objects_that_another_context_deleted_do_not_come_back),
         };
         int failed = cmocka_run_group_tests_name(kinds[i].name, tests, NULL, NULL);
         test_context_make_current(NULL);
