@@ -1,0 +1,229 @@
+/* Frames: what is wrong with one is named before any GL is called. */
+#include "check.h"
+#include "scene.h"
+
+#include <float.h>
+
+static ew_frame_desc good_frame(void)
+{
+    ew_frame_desc frame = EW_FRAME_DEFAULTS;
+    frame.viewport_width = 640;
+    frame.viewport_height = 360;
+    return frame;
+}
+
+static void expect_refused(const ew_frame_desc *frame, const char *name)
+{
+    ew_error error = {EW_OK, ""};
+    ew_result result = ew_validate_frame(frame, &error);
+    check_refused(result, &error, EW_ERROR_INVALID_ARGUMENT, name);
+    assert_int_equal(ew_validate_frame(frame, NULL), EW_ERROR_INVALID_ARGUMENT);
+}
+
+static void expect_taken(const ew_frame_desc *frame)
+{
+    ew_error error = {EW_OK, ""};
+    if (ew_validate_frame(frame, &error) != EW_OK) fail_msg("refused: %s", error.text);
+}
+
+static void the_defaults_need_only_a_viewport(void **state)
+{
+    (void)state;
+    ew_frame_desc frame = EW_FRAME_DEFAULTS;
+    expect_refused(&frame, "viewport_width");
+    frame = good_frame();
+    expect_taken(&frame);
+    expect_refused(NULL, "frame");
+}
+
+static void every_number_that_is_not_finite_is_refused_by_name(void **state)
+{
+    (void)state;
+    ew_frame_desc frame = good_frame();
+    const struct {
+        double *number;
+        const char *name;
+    } numbers[] = {
+        {&frame.view[0], "view"},
+        {&frame.view[13], "view"},
+        {&frame.view[15], "view"},
+        {&frame.projection[0], "projection"},
+        {&frame.projection[8], "projection"},
+        {&frame.projection[14], "projection"},
+        {&frame.interval_start, "interval_start"},
+        {&frame.interval_end, "interval_end"},
+        {&frame.decay_alpha, "decay_alpha"},
+        {&frame.decay_beta, "decay_beta"},
+    };
+    const double bad[] = {(double)NAN, (double)INFINITY, -(double)INFINITY};
+    for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; ++i) {
+        double good = *numbers[i].number;
+        for (size_t j = 0; j < sizeof bad / sizeof bad[0]; ++j) {
+            *numbers[i].number = bad[j];
+            expect_refused(&frame, numbers[i].name);
+        }
+        *numbers[i].number = good;
+    }
+    expect_taken(&frame);
+}
+
+static void a_view_that_is_not_rigid_is_refused(void **state)
+{
+    (void)state;
+    ew_frame_desc frame = good_frame();
+    frame.view[0] = frame.view[5] = frame.view[10] = 2; /* a scale */
+    expect_refused(&frame, "view");
+    frame = good_frame();
+    frame.view[4] = 0.1; /* a shear */
+    expect_refused(&frame, "view");
+    frame = good_frame();
+    frame.view[3] = 0.1; /* a perspective */
+    expect_refused(&frame, "view");
+    frame = good_frame();
+    frame.view[15] = 2;
+    expect_refused(&frame, "view");
+    frame = good_frame();
+    memset(frame.view, 0, sizeof frame.view);
+    expect_refused(&frame, "view");
+}
+
+static void a_view_that_was_kept_in_floats_is_taken(void **state)
+{
+    (void)state;
+    const double angle = 0.7;
+    ew_frame_desc frame = good_frame();
+    frame.view[0] = frame.view[10] = (double)(float)cos(angle);
+    frame.view[8] = (double)(float)sin(angle);
+    frame.view[2] = -frame.view[8];
+    frame.view[12] = 1e5;
+    expect_taken(&frame);
+}
+
+static void a_projection_that_projects_nothing_is_refused(void **state)
+{
+    (void)state;
+    ew_frame_desc frame = good_frame();
+    memset(frame.projection, 0, sizeof frame.projection);
+    expect_refused(&frame, "projection");
+    frame = good_frame();
+    frame.projection[11] = 1; /* looks along +z */
+    expect_refused(&frame, "projection");
+    frame = good_frame();
+    frame.projection[3] = 0.1; /* w depends on x */
+    expect_refused(&frame, "projection");
+    frame = good_frame();
+    frame.projection[15] = 1; /* neither parallel nor from a point in the eye */
+    expect_refused(&frame, "projection");
+    frame = good_frame();
+    frame.projection[5] = 0; /* no height */
+    expect_refused(&frame, "projection");
+}
+
+static void an_interval_without_length_is_refused(void **state)
+{
+    (void)state;
+    ew_frame_desc frame = good_frame();
+    frame.interval_start = frame.interval_end = 5;
+    expect_refused(&frame, "interval_start");
+    frame.interval_end = 4;
+    expect_refused(&frame, "interval_start");
+    frame.interval_start = -DBL_MAX;
+    frame.interval_end = DBL_MAX;
+    expect_refused(&frame, "interval_start");
+}
+
+static void only_a_parallel_projection_may_start_behind_the_eye(void **state)
+{
+    (void)state;
+    ew_frame_desc frame = good_frame();
+    frame.interval_start = 0;
+    expect_refused(&frame, "interval_start");
+    frame.interval_start = -1;
+    expect_refused(&frame, "interval_start");
+    frame.projection[11] = 0;
+    frame.projection[15] = 1;
+    expect_taken(&frame);
+}
+
+static void decay_out_of_range_is_refused(void **state)
+{
+    (void)state;
+    ew_frame_desc frame = good_frame();
+    frame.decay_alpha = -1;
+    expect_refused(&frame, "decay_alpha");
+    frame.decay_alpha = 0;
+    expect_taken(&frame);
+    frame.decay_beta = 0;
+    expect_refused(&frame, "decay_beta");
+    frame.decay_beta = -1;
+    expect_refused(&frame, "decay_beta");
+}
+
+static void numbers_of_divisions_that_simpson_cannot_take_are_refused(void **state)
+{
+    (void)state;
+    ew_frame_desc frame = good_frame();
+    frame.integrator = EW_INTEGRATOR_SIMPSON;
+    const int bad[] = {0, 1, 3, 201, -2, EW_MAX_SIMPSON_DIVISIONS + 2};
+    for (size_t i = 0; i < sizeof bad / sizeof bad[0]; ++i) {
+        frame.simpson_divisions = bad[i];
+        expect_refused(&frame, "simpson_divisions");
+    }
+    const int good[] = {2, 200, EW_MAX_SIMPSON_DIVISIONS};
+    for (size_t i = 0; i < sizeof good / sizeof good[0]; ++i) {
+        frame.simpson_divisions = good[i];
+        expect_taken(&frame);
+    }
+    frame.integrator = EW_INTEGRATOR_ADAPTIVE;
+    frame.simpson_divisions = 3;
+    expect_taken(&frame);
+}
+
+static void values_outside_an_enumeration_are_refused(void **state)
+{
+    (void)state;
+    const int bad[] = {-1, 4, 1000};
+    for (size_t i = 0; i < sizeof bad / sizeof bad[0]; ++i) {
+        ew_frame_desc frame = good_frame();
+        frame.clip_depth = (ew_clip_depth)bad[i];
+        expect_refused(&frame, "clip_depth");
+        frame = good_frame();
+        frame.integrator = (ew_integrator)bad[i];
+        expect_refused(&frame, "integrator");
+        frame = good_frame();
+        frame.quality = (ew_quality)bad[i];
+        expect_refused(&frame, "quality");
+        frame = good_frame();
+        frame.output = (ew_output)bad[i];
+        expect_refused(&frame, "output");
+    }
+}
+
+static void a_viewport_without_pixels_is_refused(void **state)
+{
+    (void)state;
+    ew_frame_desc frame = good_frame();
+    frame.viewport_width = 0;
+    expect_refused(&frame, "viewport_width");
+    frame = good_frame();
+    frame.viewport_height = -1;
+    expect_refused(&frame, "viewport_height");
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(the_defaults_need_only_a_viewport),
+        cmocka_unit_test(every_number_that_is_not_finite_is_refused_by_name),
+        cmocka_unit_test(a_view_that_is_not_rigid_is_refused),
+        cmocka_unit_test(a_view_that_was_kept_in_floats_is_taken),
+        cmocka_unit_test(a_projection_that_projects_nothing_is_refused),
+        cmocka_unit_test(an_interval_without_length_is_refused),
+        cmocka_unit_test(only_a_parallel_projection_may_start_behind_the_eye),
+        cmocka_unit_test(decay_out_of_range_is_refused),
+        cmocka_unit_test(numbers_of_divisions_that_simpson_cannot_take_are_refused),
+        cmocka_unit_test(values_outside_an_enumeration_are_refused),
+        cmocka_unit_test(a_viewport_without_pixels_is_refused),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

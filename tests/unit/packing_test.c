@@ -1,0 +1,374 @@
+/* Sources in ray space (glsl/layout.glsl): each block describes the host's source, in full precision, wherever the world is. */
+#include "check.h"
+#include "scene.h"
+
+#include <stdlib.h>
+
+static double random_number(void)
+{
+    return 2 * (rand() / (double)RAND_MAX) - 1;
+}
+
+static void random_vector(double v[3])
+{
+    for (int i = 0; i < 3; ++i)
+        v[i] = random_number();
+}
+
+/* A column-major rotation about a random axis (Rodrigues), with the eye at `eye`. */
+static void random_view(const double eye[3], double view[16])
+{
+    double axis[3], length = 0;
+    random_vector(axis);
+    for (int i = 0; i < 3; ++i)
+        length += axis[i] * axis[i];
+    length = sqrt(length);
+    double angle = 3 * random_number(), c = cos(angle), s = sin(angle);
+    double x = axis[0] / length, y = axis[1] / length, z = axis[2] / length;
+    const double rotation[3][3] = {{c + x * x * (1 - c), x * y * (1 - c) - z * s, x * z * (1 - c) + y * s},
+                                   {y * x * (1 - c) + z * s, c + y * y * (1 - c), y * z * (1 - c) - x * s},
+                                   {z * x * (1 - c) - y * s, z * y * (1 - c) + x * s, c + z * z * (1 - c)}};
+    memset(view, 0, 16 * sizeof *view);
+    view[15] = 1;
+    for (int row = 0; row < 3; ++row) {
+        for (int column = 0; column < 3; ++column) {
+            view[4 * column + row] = rotation[row][column];
+            view[12 + row] -= rotation[row][column] * eye[column];
+        }
+    }
+}
+
+static ew_frame_desc random_frame(const double eye[3])
+{
+    ew_frame_desc frame = EW_FRAME_DEFAULTS;
+    random_view(eye, frame.view);
+    frame.interval_start = 0.5 + random_number() / 4;
+    frame.interval_end = 8;
+    frame.decay_alpha = 1.5;
+    frame.decay_beta = 0.7;
+    frame.viewport_width = frame.viewport_height = 16;
+    return frame;
+}
+
+/* Where a point or (with w = 0) a vector of the world is in ray space: origin and unit as layout.glsl has them. */
+static void to_ray_space(const ew_frame_desc *frame, const double world[3], double w, double out[3])
+{
+    double length = frame->interval_end - frame->interval_start;
+    for (int row = 0; row < 3; ++row) {
+        out[row] = w * frame->view[12 + row];
+        for (int column = 0; column < 3; ++column)
+            out[row] += frame->view[4 * column + row] * world[column];
+    }
+    out[2] += w * frame->interval_start; /* the anchor is at z = -interval_start */
+    for (int row = 0; row < 3; ++row)
+        out[row] /= length;
+}
+
+static double dot(const double a[3], const double b[3])
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+static void from_vec4(ew_vec4 v, double out[3])
+{
+    out[0] = (double)v.x;
+    out[1] = (double)v.y;
+    out[2] = (double)v.z;
+}
+
+static void check_vector(ew_vec4 actual, const double expected[3], double tolerance)
+{
+    check_close((double)actual.x, expected[0], tolerance);
+    check_close((double)actual.y, expected[1], tolerance);
+    check_close((double)actual.z, expected[2], tolerance);
+}
+
+/* What rounding a number of about 1 to a float costs, with a little for the doubles before. */
+static const double float_error = 2e-7;
+
+static ew_scene pack(const ew_sources_desc *desc, const ew_frame_desc *frame, struct ew_frame_block *block)
+{
+    ew_capacity capacity = ew_scene_capacity(65536);
+    ew_scene scene;
+    ew_error error = {EW_OK, ""};
+    if (ew_validate_frame(frame, &error) != EW_OK || ew_scene_create(desc, &capacity, &scene, &error) != EW_OK ||
+        ew_scene_pack(&scene, frame, block, &error) != EW_OK)
+        fail_msg("refused: %s", error.text);
+    return scene;
+}
+
+static void points_lines_and_tori_come_to_ray_space(void **state)
+{
+    (void)state;
+    srand(2);
+    for (int round = 0; round < 100; ++round) {
+        double eye[3];
+        random_vector(eye);
+        ew_frame_desc frame = random_frame(eye);
+        double energy = frame.decay_alpha / (frame.interval_end - frame.interval_start);
+        ew_point point = {.coefficient = 2, .color = {0.1, 0.2, 0.3}};
+        ew_line line = {.coefficient = 3, .color = {0.4, 0.5, 0.6}};
+        ew_torus torus = {.radius = 0.9, .coefficient = 5.1, .color = {0.7, 0.8, 0.9}};
+        random_vector(point.position);
+        random_vector(line.position);
+        random_vector(line.direction);
+        random_vector(torus.center);
+        random_vector(torus.axis);
+        struct ew_frame_block block;
+        ew_sources_desc desc = {&point, 1, &line, 1, &torus, 1, NULL, 0, 1e-3};
+        ew_scene scene = pack(&desc, &frame, &block);
+
+        double expected[3], direction[3], position[3];
+        to_ray_space(&frame, point.position, 1, expected);
+        check_vector(scene.points[0].position, expected, float_error);
+        check_close((double)scene.points[0].position.w, 2 * energy, float_error);
+        check_vector(scene.points[0].color, point.color, float_error);
+
+        /* The line's block is another point of the same line, the nearest to the anchor, with a unit direction. */
+        to_ray_space(&frame, line.position, 1, expected);
+        from_vec4(scene.lines[0].direction, direction);
+        from_vec4(scene.lines[0].position, position);
+        check_close(dot(direction, direction), 1, float_error);
+        check_close(dot(direction, position), 0, float_error);
+        double along = dot(expected, direction);
+        for (int i = 0; i < 3; ++i)
+            expected[i] -= along * direction[i];
+        check_vector(scene.lines[0].position, expected, float_error);
+        to_ray_space(&frame, line.direction, 0, expected);
+        check_close(dot(direction, expected), sqrt(dot(expected, expected)), float_error);
+        check_close((double)scene.lines[0].position.w, 3 * energy, float_error);
+        check_vector(scene.lines[0].color, line.color, float_error);
+
+        to_ray_space(&frame, torus.center, 1, expected);
+        check_vector(scene.tori[0].center, expected, float_error);
+        to_ray_space(&frame, torus.axis, 0, expected);
+        double axis[3];
+        from_vec4(scene.tori[0].axis, axis);
+        check_close(dot(axis, axis), 1, float_error);
+        check_close(dot(axis, expected), sqrt(dot(expected, expected)), float_error);
+        check_close((double)scene.tori[0].axis.w, 0.9 / (frame.interval_end - frame.interval_start), float_error);
+        check_close((double)scene.tori[0].center.w, 5.1 * energy, float_error);
+        check_vector(scene.tori[0].color, torus.color, float_error);
+        ew_scene_destroy(&scene);
+    }
+}
+
+static void the_frame_block_counts_and_scales(void **state)
+{
+    (void)state;
+    const double eye[3] = {0};
+    ew_frame_desc frame = random_frame(eye);
+    frame.quality = EW_QUALITY_ERROR_1E_4;
+    frame.simpson_divisions = 128;
+    ew_point points[2] = {{{0}, 1, {0}}, {{0}, 1, {0}}};
+    ew_curve curves[3] = {{.domain = {0, 1}}, {.domain = {0, 1}}, {.domain = {0, 1}}};
+    ew_sources_desc desc = {.points = points, .point_count = 2, .curves = curves, .curve_count = 3, .epsilon = 0.01};
+    struct ew_frame_block block;
+    ew_scene scene = pack(&desc, &frame, &block);
+    assert_int_equal(block.source_count.x, 2);
+    assert_int_equal(block.source_count.y, 0);
+    assert_int_equal(block.source_count.z, 0);
+    assert_int_equal(block.source_count.w, 3);
+    assert_int_equal(block.simpson.x, 128);
+    check_close((double)block.decay.x, 0.7, float_error);
+    check_close((double)block.decay.y, 1 / 0.7, float_error);
+    check_close((double)block.decay.z, 0.01 / (frame.interval_end - frame.interval_start), 1e-9);
+    check_close((double)block.decay.w, 1e-4, 1e-11);
+    ew_scene_destroy(&scene);
+}
+
+/* The host's arc and the block's are the same point for point, tau growing evenly with t from one end to the other. */
+static void check_arc(const ew_curve *curve, const ew_frame_desc *frame, const struct ew_curve_block *block, double tolerance)
+{
+    double origin[3], tangent[3], bend[3];
+    from_vec4(block->origin, origin);
+    from_vec4(block->tangent, tangent);
+    from_vec4(block->bend, bend);
+    double tau_start = (double)block->tangent.w, tau_end = (double)block->bend.w;
+    for (int step = 0; step <= 8; ++step) {
+        double u = step / 8.0;
+        double t = curve->domain[0] + u * (curve->domain[1] - curve->domain[0]);
+        double tau = tau_start + u * (tau_end - tau_start);
+        double world[3], expected[3];
+        for (int i = 0; i < 3; ++i)
+            world[i] = curve->polynomial[0][i] + t * (curve->polynomial[1][i] + t * curve->polynomial[2][i]);
+        to_ray_space(frame, world, 1, expected);
+        for (int i = 0; i < 3; ++i)
+            check_close(origin[i] + tau * (tangent[i] + tau * bend[i]), expected[i], tolerance);
+    }
+    /* Where the arc is folded back the tangent at the vertex is nothing but what doubles rounded off the bend. */
+    if (block->weights.x == 0)
+        check_close(dot(tangent, bend), 0, 1e-6 * sqrt(dot(tangent, tangent) * dot(bend, bend)) + 1e-14 * dot(bend, bend));
+    else
+        check_close((double)block->weights.x, 3 * dot(tangent, bend), 1e-5 * fabs((double)block->weights.x));
+}
+
+static void arcs_come_to_ray_space_whatever_their_shape(void **state)
+{
+    (void)state;
+    double shapes[][3][3] = {
+        {{-1, 0, 0}, {0, 2, 0}, {1, 0, 0}},                  /* an arch */
+        {{-1, 0, 0}, {1e3, 1, 0}, {-1, 0.01, 0}},            /* a hairpin */
+        {{-1, 0, 0}, {1e-1, 1e-7, 0}, {1, 0, 0}},            /* nearly straight, its vertex far */
+        {{-1, 0, 0}, {0, 0, 0}, {1, 0, 0}},                  /* straight, even */
+        {{-1, 0, 0}, {0.9, 0, 0}, {1, 0, 0}},                /* straight, uneven */
+        {{-1, 0, 0}, {1, 0, 0}, {-1, 0, 0}},                 /* folded back on itself */
+        {{0, 1, 0}, {0, 1, 0}, {2, 0, 1}},                   /* the first two coincide */
+        {{2, 0, 1}, {0, 1, 0}, {0, 1, 0}},                   /* the last two coincide */
+        {{0.5, 0.5, 0.5}, {0.5, 0.5, 0.5}, {0.5, 0.5, 0.5}}, /* a point */
+    };
+    const double domains[][2] = {{0, 1}, {-2, 2}, {0.25, 0.5}, {-1e-3, 0}};
+    srand(3);
+    for (size_t i = 0; i < sizeof shapes / sizeof shapes[0]; ++i) {
+        for (size_t j = 0; j < sizeof domains / sizeof domains[0]; ++j) {
+            double eye[3];
+            random_vector(eye);
+            ew_frame_desc frame = random_frame(eye);
+            ew_curve curve = {.domain = {domains[j][0], domains[j][1]}, .coefficient = 4, .color = {0.1, 0.2, 0.3}};
+            ew_bezier_polynomial(shapes[i], curve.polynomial);
+            ew_sources_desc desc = {.curves = &curve, .curve_count = 1, .epsilon = 1e-3};
+            struct ew_frame_block block;
+            ew_scene scene = pack(&desc, &frame, &block);
+            double size = 0;
+            for (int k = 0; k < 9; ++k)
+                size = fmax(size, fabs(curve.polynomial[k / 3][k % 3]));
+            check_arc(&curve, &frame, &scene.curves[0], 2e-6 * fmax(size, 1));
+            check_close((double)scene.curves[0].origin.w, 4 * frame.decay_alpha / (frame.interval_end - frame.interval_start),
+                        float_error);
+            check_vector(scene.curves[0].color, curve.color, float_error);
+            ew_scene_destroy(&scene);
+        }
+    }
+}
+
+static void an_arch_has_its_origin_at_the_vertex_and_a_straight_arc_on_itself(void **state)
+{
+    (void)state;
+    double arch[3][3] = {{-1, 0, 0}, {0, 2, 0}, {1, 0, 0}}, straight[3][3] = {{-1, 0, 0}, {0, 1e-9, 0}, {1.1, 0, 0}};
+    ew_curve curves[2] = {{.domain = {0, 1}, .coefficient = 1}, {.domain = {0, 1}, .coefficient = 1}};
+    ew_bezier_polynomial(arch, curves[0].polynomial);
+    ew_bezier_polynomial(straight, curves[1].polynomial);
+    const double eye[3] = {0, 0, 3}, vertex[3] = {0, 1, 0};
+    ew_frame_desc frame = random_frame(eye);
+    ew_sources_desc desc = {.curves = curves, .curve_count = 2, .epsilon = 1e-3};
+    struct ew_frame_block block;
+    ew_scene scene = pack(&desc, &frame, &block);
+    double expected[3];
+    to_ray_space(&frame, vertex, 1, expected);
+    check_vector(scene.curves[0].origin, expected, float_error);
+    assert_true(scene.curves[0].weights.x == 0);
+    assert_true(scene.curves[1].tangent.w <= 0 && scene.curves[1].bend.w >= 0);
+    ew_scene_destroy(&scene);
+}
+
+/* The same world, moved by 1e5 units with its camera: packed, it is the same, to what doubles resolve out there. */
+static void a_world_far_from_its_origin_is_packed_as_if_it_were_near(void **state)
+{
+    (void)state;
+    const double far_away[3] = {1e5, -1.3e5, 0.9e5};
+    /* The spacing of doubles at 1e5 is 1.5e-11; a single precision sum there would be off by 1e-2. */
+    const double tolerance = 1e-9;
+    srand(4);
+    for (int round = 0; round < 20; ++round) {
+        double eye[3], far_eye[3];
+        random_vector(eye);
+        ew_frame_desc frame = random_frame(eye), far_frame = frame;
+        ew_point points[2] = {{.coefficient = 1}, {.coefficient = 1}};
+        ew_line lines[2] = {{.coefficient = 1}, {.coefficient = 1}};
+        ew_torus tori[2] = {{.radius = 1e-3, .coefficient = 1}, {.radius = 1e-3, .coefficient = 1}};
+        ew_curve curves[2] = {{.domain = {-1, 1}, .coefficient = 1}, {.domain = {-1, 1}, .coefficient = 1}};
+        random_vector(points[0].position);
+        random_vector(lines[0].position);
+        random_vector(lines[0].direction);
+        random_vector(tori[0].center);
+        random_vector(tori[0].axis);
+        for (int i = 0; i < 3; ++i)
+            random_vector(curves[0].polynomial[i]);
+        points[1] = points[0];
+        lines[1] = lines[0];
+        tori[1] = tori[0];
+        curves[1] = curves[0];
+        for (int i = 0; i < 3; ++i) {
+            far_eye[i] = eye[i] + far_away[i];
+            points[1].position[i] += far_away[i];
+            lines[1].position[i] += far_away[i];
+            tori[1].center[i] += far_away[i];
+            curves[1].polynomial[0][i] += far_away[i];
+        }
+        for (int row = 0; row < 3; ++row) {
+            far_frame.view[12 + row] = 0;
+            for (int column = 0; column < 3; ++column)
+                far_frame.view[12 + row] -= frame.view[4 * column + row] * far_eye[column];
+        }
+        struct ew_frame_block near_block, far_block;
+        ew_sources_desc near_desc = {&points[0], 1, &lines[0], 1, &tori[0], 1, &curves[0], 1, 1e-3};
+        ew_sources_desc far_desc = {&points[1], 1, &lines[1], 1, &tori[1], 1, &curves[1], 1, 1e-3};
+        ew_scene near_scene = pack(&near_desc, &frame, &near_block), far_scene = pack(&far_desc, &far_frame, &far_block);
+        const struct {
+            const void *near_values, *far_values;
+            size_t size;
+        } blocks[] = {
+            {near_scene.points, far_scene.points, sizeof *near_scene.points},
+            {near_scene.lines, far_scene.lines, sizeof *near_scene.lines},
+            {near_scene.tori, far_scene.tori, sizeof *near_scene.tori},
+            {near_scene.curves, far_scene.curves, sizeof *near_scene.curves},
+            {&near_block, &far_block, offsetof(struct ew_frame_block, source_count)},
+        };
+        for (size_t i = 0; i < sizeof blocks / sizeof blocks[0]; ++i) {
+            for (size_t j = 0; j < blocks[i].size / sizeof(float); ++j) {
+                double is_near = (double)((const float *)blocks[i].near_values)[j];
+                double is_far = (double)((const float *)blocks[i].far_values)[j];
+                /* Either may have been rounded to the next float. */
+                check_close(is_far, is_near, tolerance + 1.2e-7 * fabs(is_near));
+            }
+        }
+        ew_scene_destroy(&near_scene);
+        ew_scene_destroy(&far_scene);
+    }
+}
+
+/* What only shows once camera and sources meet is refused by name as well. */
+static void sources_beyond_what_the_shader_resolves_are_refused(void **state)
+{
+    (void)state;
+    const double eye[3] = {0};
+    ew_frame_desc frame = random_frame(eye);
+    ew_point point = {.position = {1e300, 0, 0}, .coefficient = 1};
+    ew_line line = {.position = {0, 1e300, 0}, .direction = {0, 0, 1}, .coefficient = 1};
+    ew_torus torus = {.axis = {0, 1, 0}, .radius = 1e300, .coefficient = 1};
+    ew_curve curve = {.polynomial = {{0}, {0}, {1e300, 0, 0}}, .domain = {0, 1}, .coefficient = 1};
+    ew_point bright = {.coefficient = 1e300};
+    const struct {
+        ew_sources_desc desc;
+        const char *name;
+    } cases[] = {
+        {{.points = &point, .point_count = 1, .epsilon = 1e-3}, "points[0]"},
+        {{.lines = &line, .line_count = 1, .epsilon = 1e-3}, "lines[0]"},
+        {{.tori = &torus, .torus_count = 1, .epsilon = 1e-3}, "tori[0]"},
+        {{.curves = &curve, .curve_count = 1, .epsilon = 1e-3}, "curves[0]"},
+        {{.points = &bright, .point_count = 1, .epsilon = 1e-3}, "points[0].coefficient"},
+        {{.epsilon = 1e-300}, "epsilon"},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; ++i) {
+        ew_capacity capacity = ew_scene_capacity(65536);
+        ew_scene scene;
+        ew_error error = {EW_OK, ""};
+        struct ew_frame_block block;
+        assert_int_equal(ew_scene_create(&cases[i].desc, &capacity, &scene, NULL), EW_OK);
+        check_refused(ew_scene_pack(&scene, &frame, &block, &error), &error, EW_ERROR_INVALID_ARGUMENT, cases[i].name);
+        ew_scene_destroy(&scene);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(points_lines_and_tori_come_to_ray_space),
+        cmocka_unit_test(the_frame_block_counts_and_scales),
+        cmocka_unit_test(arcs_come_to_ray_space_whatever_their_shape),
+        cmocka_unit_test(an_arch_has_its_origin_at_the_vertex_and_a_straight_arc_on_itself),
+        cmocka_unit_test(a_world_far_from_its_origin_is_packed_as_if_it_were_near),
+        cmocka_unit_test(sources_beyond_what_the_shader_resolves_are_refused),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

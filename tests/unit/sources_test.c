@@ -1,0 +1,324 @@
+/* Source lists: what is wrong with them is named, and what is refused changes nothing. */
+#include "check.h"
+#include "scene.h"
+
+#include <float.h>
+#include <stdlib.h>
+
+/* What a number of a source may be. */
+typedef enum range { FINITE, NOT_NEGATIVE, POSITIVE } range;
+
+/* Two good sources of every kind; the tests spoil one number of the second at a time. */
+typedef struct field {
+    ew_point points[2];
+    ew_line lines[2];
+    ew_torus tori[2];
+    ew_curve curves[2];
+    double weights[4];
+    ew_sources_desc desc;
+} field;
+
+static void make_field(field *f)
+{
+    *f = (field){.weights = {1, 0.2, 0.6, 1}};
+    for (int i = 0; i < 2; ++i) {
+        f->points[i] = (ew_point){{1, 2, 3}, 1, {1, 1, 1}};
+        f->lines[i] = (ew_line){{1, 2, 3}, {0, 0, 5}, 1, {1, 1, 1}};
+        f->tori[i] = (ew_torus){{1, 2, 3}, {0, 2, 0}, 0.9, 5.1, {1, 1, 1}};
+        f->curves[i] = (ew_curve){.polynomial = {{1, 2, 3}, {4, 5, 6}, {7, 8, 9}},
+                                  .domain = {-2, 2},
+                                  .weights = f->weights,
+                                  .weight_count = 4,
+                                  .coefficient = 1,
+                                  .color = {1, 1, 1}};
+    }
+    f->desc = (ew_sources_desc){f->points, 2, f->lines, 2, f->tori, 2, f->curves, 2, 1e-3};
+}
+
+static const size_t gl_largest_block = 65536;
+
+static ew_result create(const ew_sources_desc *sources, ew_scene *scene, ew_error *error)
+{
+    ew_capacity capacity = ew_scene_capacity(gl_largest_block);
+    return ew_scene_create(sources, &capacity, scene, error);
+}
+
+/* Expects `desc` to be refused, with an ew_error and without, and a scene that was there before to be as it was. */
+static void expect_refused(const ew_sources_desc *desc, ew_result code, const char *name)
+{
+    field old;
+    make_field(&old);
+    ew_scene scene, before;
+    assert_int_equal(create(&old.desc, &scene, NULL), EW_OK);
+    memcpy(&before, &scene, sizeof scene);
+
+    ew_error error = {EW_OK, ""};
+    ew_result result = create(desc, &scene, &error);
+    check_refused(result, &error, code, name);
+    assert_int_equal(create(desc, &scene, NULL), code);
+    assert_memory_equal(&scene, &before, sizeof scene);
+    assert_memory_equal(scene.sources.points, old.points, sizeof old.points);
+    assert_memory_equal(scene.sources.lines, old.lines, sizeof old.lines);
+    assert_memory_equal(scene.sources.tori, old.tori, sizeof old.tori);
+    ew_scene_destroy(&scene);
+}
+
+static void every_number_out_of_range_is_refused_by_name(void **state)
+{
+    (void)state;
+    field f;
+    make_field(&f);
+    const struct {
+        double *number;
+        const char *name;
+        range allowed;
+    } numbers[] = {
+        {&f.desc.epsilon, "epsilon", POSITIVE},
+        {&f.points[1].position[0], "points[1].position", FINITE},
+        {&f.points[1].position[2], "points[1].position", FINITE},
+        {&f.points[1].coefficient, "points[1].coefficient", NOT_NEGATIVE},
+        {&f.points[1].color[0], "points[1].color", NOT_NEGATIVE},
+        {&f.points[1].color[2], "points[1].color", NOT_NEGATIVE},
+        {&f.lines[1].position[1], "lines[1].position", FINITE},
+        {&f.lines[1].direction[0], "lines[1].direction", FINITE},
+        {&f.lines[1].coefficient, "lines[1].coefficient", NOT_NEGATIVE},
+        {&f.lines[1].color[1], "lines[1].color", NOT_NEGATIVE},
+        {&f.tori[1].center[2], "tori[1].center", FINITE},
+        {&f.tori[1].axis[1], "tori[1].axis", FINITE},
+        {&f.tori[1].radius, "tori[1].radius", NOT_NEGATIVE},
+        {&f.tori[1].coefficient, "tori[1].coefficient", NOT_NEGATIVE},
+        {&f.tori[1].color[2], "tori[1].color", NOT_NEGATIVE},
+        {&f.curves[1].polynomial[0][0], "curves[1].polynomial", FINITE},
+        {&f.curves[1].polynomial[1][1], "curves[1].polynomial", FINITE},
+        {&f.curves[1].polynomial[2][2], "curves[1].polynomial", FINITE},
+        {&f.curves[1].domain[0], "curves[1].domain", FINITE},
+        {&f.curves[1].domain[1], "curves[1].domain", FINITE},
+        {&f.curves[1].coefficient, "curves[1].coefficient", NOT_NEGATIVE},
+        {&f.curves[1].color[0], "curves[1].color", NOT_NEGATIVE},
+    };
+    const double bad[] = {(double)NAN, (double)INFINITY, -(double)INFINITY, -1, -DBL_MIN, 0};
+    const size_t bad_count[] = {[FINITE] = 3, [NOT_NEGATIVE] = 5, [POSITIVE] = 6};
+    for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; ++i) {
+        double good = *numbers[i].number;
+        for (size_t j = 0; j < bad_count[numbers[i].allowed]; ++j) {
+            *numbers[i].number = bad[j];
+            expect_refused(&f.desc, EW_ERROR_INVALID_ARGUMENT, numbers[i].name);
+        }
+        *numbers[i].number = good;
+    }
+    /* Each number was put back, so that it was the one spoilt that was refused. */
+    ew_scene scene;
+    assert_int_equal(create(&f.desc, &scene, NULL), EW_OK);
+    ew_scene_destroy(&scene);
+}
+
+static void every_bad_weight_is_refused_by_name(void **state)
+{
+    (void)state;
+    field f;
+    make_field(&f);
+    double weights[] = {1, 1, 1};
+    f.curves[1].weights = weights;
+    f.curves[1].weight_count = 3;
+    const double bad[] = {(double)NAN, (double)INFINITY, -(double)INFINITY, -1};
+    for (size_t i = 0; i < sizeof bad / sizeof bad[0]; ++i) {
+        weights[2] = bad[i];
+        expect_refused(&f.desc, EW_ERROR_INVALID_ARGUMENT, "curves[1].weights[2]");
+    }
+}
+
+static void directions_of_no_length_are_refused(void **state)
+{
+    (void)state;
+    field f;
+    make_field(&f);
+    f.lines[1].direction[2] = 0;
+    expect_refused(&f.desc, EW_ERROR_INVALID_ARGUMENT, "lines[1].direction");
+    make_field(&f);
+    f.tori[1].axis[1] = -0.0;
+    expect_refused(&f.desc, EW_ERROR_INVALID_ARGUMENT, "tori[1].axis");
+}
+
+static void domains_of_no_length_are_refused(void **state)
+{
+    (void)state;
+    const double domains[][2] = {{1, 1}, {1, -1}, {-DBL_MAX, DBL_MAX}};
+    for (size_t i = 0; i < sizeof domains / sizeof domains[0]; ++i) {
+        field f;
+        make_field(&f);
+        memcpy(f.curves[1].domain, domains[i], sizeof domains[i]);
+        expect_refused(&f.desc, EW_ERROR_INVALID_ARGUMENT, "curves[1].domain");
+    }
+}
+
+static void lists_and_counts_that_disagree_are_refused(void **state)
+{
+    (void)state;
+    field f;
+    expect_refused(NULL, EW_ERROR_INVALID_ARGUMENT, "sources");
+    make_field(&f);
+    f.desc.points = NULL;
+    expect_refused(&f.desc, EW_ERROR_INVALID_ARGUMENT, "points");
+    make_field(&f);
+    f.desc.lines = NULL;
+    expect_refused(&f.desc, EW_ERROR_INVALID_ARGUMENT, "lines");
+    make_field(&f);
+    f.desc.tori = NULL;
+    expect_refused(&f.desc, EW_ERROR_INVALID_ARGUMENT, "tori");
+    make_field(&f);
+    f.desc.curves = NULL;
+    expect_refused(&f.desc, EW_ERROR_INVALID_ARGUMENT, "curves");
+    make_field(&f);
+    f.curves[1].weights = NULL;
+    expect_refused(&f.desc, EW_ERROR_INVALID_ARGUMENT, "curves[1].weights");
+    make_field(&f);
+    f.curves[1].weight_count = 0;
+    expect_refused(&f.desc, EW_ERROR_INVALID_ARGUMENT, "curves[1].weights");
+    make_field(&f);
+    f.curves[1].weight_count = EW_MAX_WEIGHTS + 1;
+    expect_refused(&f.desc, EW_ERROR_INVALID_ARGUMENT, "curves[1].weight_count");
+}
+
+/* A list with one source too many is refused for its length alone: only that many are there to be read. */
+static void more_sources_than_the_context_holds_are_refused(void **state)
+{
+    (void)state;
+    field f;
+    make_field(&f);
+    ew_capacity one = {1, 2, 2, 2, 4};
+    ew_error error = {EW_OK, ""};
+    ew_scene scene;
+    check_refused(ew_scene_create(&f.desc, &one, &scene, &error), &error, EW_ERROR_TOO_MANY_SOURCES, "2 points");
+    one = (ew_capacity){2, 1, 2, 2, 4};
+    check_refused(ew_scene_create(&f.desc, &one, &scene, &error), &error, EW_ERROR_TOO_MANY_SOURCES, "2 lines");
+    one = (ew_capacity){2, 2, 1, 2, 4};
+    check_refused(ew_scene_create(&f.desc, &one, &scene, &error), &error, EW_ERROR_TOO_MANY_SOURCES, "2 tori");
+    one = (ew_capacity){2, 2, 2, 1, 4};
+    check_refused(ew_scene_create(&f.desc, &one, &scene, &error), &error, EW_ERROR_TOO_MANY_SOURCES, "2 curves");
+    /* 2 curves with 4 weights each make 2 pieces each. */
+    one = (ew_capacity){2, 2, 2, 2, 3};
+    check_refused(ew_scene_create(&f.desc, &one, &scene, &error), &error, EW_ERROR_TOO_MANY_SOURCES, "4 pieces");
+    one.weight_pieces = 4;
+    assert_int_equal(ew_scene_create(&f.desc, &one, &scene, &error), EW_OK);
+    ew_scene_destroy(&scene);
+
+    make_field(&f);
+    f.desc.point_count = SIZE_MAX;
+    expect_refused(&f.desc, EW_ERROR_TOO_MANY_SOURCES, "points");
+}
+
+static void uniform_blocks_bound_the_number_of_sources(void **state)
+{
+    (void)state;
+    ew_capacity capacity = ew_scene_capacity(65536);
+    assert_int_equal(capacity.points, EW_MAX_POINTS);
+    assert_int_equal(capacity.lines, EW_MAX_LINES);
+    assert_int_equal(capacity.tori, EW_MAX_TORI);
+    assert_int_equal(capacity.curves, EW_MAX_CURVES);
+    assert_int_equal(capacity.weight_pieces, EW_MAX_WEIGHT_PIECES);
+    /* The header promises as much; a larger block changes nothing. */
+    ew_capacity larger = ew_scene_capacity(1u << 30);
+    assert_memory_equal(&larger, &capacity, sizeof capacity);
+    /* The least that GL promises is a quarter of 64 KiB. */
+    capacity = ew_scene_capacity(16384);
+    assert_true(capacity.points * sizeof(struct ew_point_block) <= 16384);
+    assert_true(capacity.lines * sizeof(struct ew_line_block) <= 16384);
+    assert_true(capacity.tori * sizeof(struct ew_torus_block) <= 16384);
+    assert_true(capacity.curves * sizeof(struct ew_curve_block) <= 16384);
+    assert_true(capacity.weight_pieces * sizeof(struct ew_weight_block) <= 16384);
+    assert_in_range(capacity.curves, EW_MAX_CURVES / 4, EW_MAX_CURVES);
+}
+
+static void the_largest_lists_are_taken(void **state)
+{
+    (void)state;
+    ew_sources_desc desc = {.point_count = EW_MAX_POINTS,
+                            .line_count = EW_MAX_LINES,
+                            .torus_count = EW_MAX_TORI,
+                            .curve_count = EW_MAX_CURVES,
+                            .epsilon = 1e-3};
+    ew_point *points = calloc(desc.point_count, sizeof *points);
+    ew_line *lines = calloc(desc.line_count, sizeof *lines);
+    ew_torus *tori = calloc(desc.torus_count, sizeof *tori);
+    ew_curve *curves = calloc(desc.curve_count, sizeof *curves);
+    double weights[EW_MAX_WEIGHT_PIECES / EW_MAX_CURVES + 2] = {0};
+    assert_true(points && lines && tori && curves);
+    for (size_t i = 0; i < desc.line_count; ++i)
+        lines[i].direction[0] = 1;
+    for (size_t i = 0; i < desc.torus_count; ++i)
+        tori[i].axis[0] = 1;
+    for (size_t i = 0; i < desc.curve_count; ++i) {
+        curves[i].domain[1] = 1;
+        curves[i].weights = weights;
+        curves[i].weight_count = sizeof weights / sizeof weights[0];
+    }
+    desc.points = points;
+    desc.lines = lines;
+    desc.tori = tori;
+    desc.curves = curves;
+    ew_scene scene;
+    assert_int_equal(create(&desc, &scene, NULL), EW_OK);
+    assert_int_equal(scene.weight_piece_count, EW_MAX_WEIGHT_PIECES);
+    ew_scene_destroy(&scene);
+    free(points);
+    free(lines);
+    free(tori);
+    free(curves);
+}
+
+static void the_limits_of_what_is_allowed_are_taken(void **state)
+{
+    (void)state;
+    field f;
+    make_field(&f);
+    f.desc.epsilon = DBL_MIN;
+    f.points[1].coefficient = 0;
+    memset(f.points[1].color, 0, sizeof f.points[1].color);
+    f.tori[1].radius = 0;
+    memcpy(f.lines[1].direction, (double[3]){1e-300, 0, 0}, sizeof f.lines[1].direction);
+    memcpy(f.tori[1].axis, (double[3]){0, 1e300, -1e300}, sizeof f.tori[1].axis);
+    memset(f.curves[1].polynomial, 0, sizeof f.curves[1].polynomial); /* a single point */
+    memset(f.weights, 0, sizeof f.weights);
+    ew_scene scene;
+    assert_int_equal(create(&f.desc, &scene, NULL), EW_OK);
+    ew_scene_destroy(&scene);
+
+    ew_sources_desc none = {.epsilon = 1};
+    assert_int_equal(create(&none, &scene, NULL), EW_OK);
+    ew_scene_destroy(&scene);
+    /* An empty list may as well be a pointer to nothing. */
+    none.points = f.points;
+    none.curves = f.curves;
+    assert_int_equal(create(&none, &scene, NULL), EW_OK);
+    ew_scene_destroy(&scene);
+}
+
+static void success_leaves_the_error_alone(void **state)
+{
+    (void)state;
+    field f;
+    make_field(&f);
+    ew_error error = {EW_ERROR_SHADER, "an older error"};
+    ew_scene scene;
+    assert_int_equal(create(&f.desc, &scene, &error), EW_OK);
+    assert_int_equal(error.code, EW_ERROR_SHADER);
+    assert_string_equal(error.text, "an older error");
+    ew_scene_destroy(&scene);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(every_number_out_of_range_is_refused_by_name),
+        cmocka_unit_test(every_bad_weight_is_refused_by_name),
+        cmocka_unit_test(directions_of_no_length_are_refused),
+        cmocka_unit_test(domains_of_no_length_are_refused),
+        cmocka_unit_test(lists_and_counts_that_disagree_are_refused),
+        cmocka_unit_test(more_sources_than_the_context_holds_are_refused),
+        cmocka_unit_test(uniform_blocks_bound_the_number_of_sources),
+        cmocka_unit_test(the_largest_lists_are_taken),
+        cmocka_unit_test(the_limits_of_what_is_allowed_are_taken),
+        cmocka_unit_test(success_leaves_the_error_alone),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
