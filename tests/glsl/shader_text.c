@@ -1,0 +1,135 @@
+/*
+ * Writes the text of every class of shader permutation to files, through a GL that only takes the shaders' sources:
+ * shader_text FOLDER. Names are PROFILE-KEY.frag and PROFILE.vert.
+ */
+#include "program.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+
+enum { VERTEX_SHADER = 1, FRAGMENT_SHADER = 2 };
+
+static const char *folder;
+static char shader_name[64]; /* of the fragment shader that comes next */
+static const char *profile;
+
+static GLuint create_shader(GLenum stage)
+{
+    return stage == GL_VERTEX_SHADER ? VERTEX_SHADER : FRAGMENT_SHADER;
+}
+
+static void shader_source(GLuint shader, GLsizei count, const GLchar *const *strings, const GLint *lengths)
+{
+    (void)lengths;
+    char path[4096];
+    if (shader == VERTEX_SHADER)
+        snprintf(path, sizeof path, "%s/%s.vert", folder, profile);
+    else
+        snprintf(path, sizeof path, "%s/%s.frag", folder, shader_name);
+    FILE *file = fopen(path, "w");
+    for (GLsizei i = 0; file && i < count; ++i)
+        fputs(strings[i], file);
+    if (!file || fclose(file) != 0) {
+        perror(path);
+        exit(EXIT_FAILURE);
+    }
+}
+
+static void do_nothing(GLuint object)
+{
+    (void)object;
+}
+
+static void attach_or_detach(GLuint program, GLuint shader)
+{
+    (void)program;
+    (void)shader;
+}
+
+static void say_yes(GLuint object, GLenum query, GLint *answer)
+{
+    (void)object;
+    (void)query;
+    *answer = GL_TRUE;
+}
+
+static GLuint create_program(void)
+{
+    return 1;
+}
+
+static GLuint no_block(GLuint program, const GLchar *name)
+{
+    (void)program;
+    (void)name;
+    return GL_INVALID_INDEX;
+}
+
+static GLint no_uniform(GLuint program, const GLchar *name)
+{
+    (void)program;
+    (void)name;
+    return -1;
+}
+
+static void write_permutation(ew_program_cache *cache, const ew_gl *gl, const ew_capacity *capacity, unsigned key)
+{
+    GLuint program;
+    ew_error error;
+    snprintf(shader_name, sizeof shader_name, "%s-%05x", profile, key);
+    if (ew_program_get(cache, gl, capacity, key, &program, &error) == EW_OK) return;
+    fprintf(stderr, "%s: %s\n", shader_name, error.text);
+    exit(EXIT_FAILURE);
+}
+
+/* Every set of flags that can meet, on every set of kinds, with few sources of each (a literal count) and with many. */
+static void write_permutations(const ew_gl *gl, const ew_capacity *capacity)
+{
+    enum { KIND_COUNT = 4, ALL_CURVES = 1 << 3, BOTH_OUTPUTS = EW_PROGRAM_LUMINANCE | EW_PROGRAM_EVALUATIONS };
+    ew_program_cache cache = {0};
+    for (unsigned flags = 0; flags < 1u << EW_PROGRAM_FLAG_COUNT; ++flags) {
+        if ((flags & BOTH_OUTPUTS) == BOTH_OUTPUTS) continue;
+        for (unsigned kinds = 0; kinds < 1u << KIND_COUNT; ++kinds) {
+            if (flags & EW_PROGRAM_WEIGHTS && !(kinds & ALL_CURVES)) continue;
+            for (unsigned count = 1; count <= EW_PROGRAM_MAX_UNROLLED + 1; count += EW_PROGRAM_MAX_UNROLLED) {
+                unsigned key = flags;
+                for (unsigned kind = 0; kind < KIND_COUNT; ++kind)
+                    if (kinds & 1u << kind) key |= count << (EW_PROGRAM_FLAG_COUNT + kind * EW_PROGRAM_COUNT_BITS);
+                write_permutation(&cache, gl, capacity, key);
+            }
+        }
+    }
+    ew_program_cache_destroy(&cache, gl);
+}
+
+int main(int argc, char **argv)
+{
+    if (argc != 2) {
+        fprintf(stderr, "usage: shader_text FOLDER\n");
+        return EXIT_FAILURE;
+    }
+    folder = argv[1];
+    ew_gl gl = {
+        .CreateShader = create_shader,
+        .ShaderSource = shader_source,
+        .CompileShader = do_nothing,
+        .GetShaderiv = say_yes,
+        .DeleteShader = do_nothing,
+        .CreateProgram = create_program,
+        .AttachShader = attach_or_detach,
+        .LinkProgram = do_nothing,
+        .DetachShader = attach_or_detach,
+        .GetProgramiv = say_yes,
+        .DeleteProgram = do_nothing,
+        .GetUniformBlockIndex = no_block,
+        .GetUniformLocation = no_uniform,
+    };
+    /* The capacities of the smallest uniform blocks that GL allows and of the largest in use; the profiles' least versions. */
+    ew_capacity smallest = ew_scene_capacity(16384), largest = ew_scene_capacity(65536);
+    profile = "330";
+    write_permutations(&gl, &largest);
+    profile = "300es";
+    gl.es = true;
+    write_permutations(&gl, &smallest);
+    return EXIT_SUCCESS;
+}
