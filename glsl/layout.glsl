@@ -34,14 +34,15 @@ struct ew_torus_block {
     vec4 color;
 };
 
-// The arc C(tau) = origin + tangent tau + bend tau^2 with tau in [tangent.w, bend.w]. The origin is the parabola's vertex, where
-// tangent and bend are perpendicular, unless that is far off the arc; then it is the middle of the arc.
+// The arc C(tau) = origin + slope_x tau axis_x + (slope_y tau + bend tau^2) axis_y with tau in [first, last], last - first = 1.
+// The origin is the parabola's vertex, where slope_y is 0, unless that is far off the arc; then it is the arc's middle.
 struct ew_curve_block {
     vec4 origin;
-    vec4 tangent; // w: tau at the start of the arc
-    vec4 bend;    // w: tau at its end
+    vec4 axis_x; // w: slope_x >= 0
+    vec4 axis_y; // w: slope_y
+    vec4 axis_z; // w: bend >= 0
     vec4 color;
-    vec4 weights; // x: 3 tangent.bend (0 exactly at a vertex), y: the first weight piece, z: how many pieces there are (0: none)
+    vec4 domain; // x: first, y: last, z: the first weight piece, w: how many pieces there are (0: none)
 };
 
 // One polynomial piece of S(t), equation (15): x + y f + z f^2 with f in [0, 1] along the piece.

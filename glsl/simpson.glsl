@@ -65,10 +65,15 @@ float ew_integrate_torus(ew_segment segment, ew_torus_block torus)
 #endif
 
 #ifdef EW_CURVES
-vec3 ew_curve_point(ew_curve_block curve, float tau)
-{
-    return curve.origin.xyz + tau * (curve.tangent.xyz + tau * curve.bend.xyz);
-}
+// The curve as (8) has it, C(tau) = c2 tau^2 + c1 tau + c0.
+struct ew_polynomial_curve {
+    vec3 c0;
+    vec3 c1;
+    vec3 c2;
+    bool has_vertex; // at c0: c1 and c2 are perpendicular
+    float first;
+    float last;
+};
 
 float ew_cube_root(float x)
 {
@@ -94,15 +99,15 @@ vec3 ew_cubic_roots(float a, float b, float c)
 
 // The steps 1 to 5 of section 2.3: the stationary points of the distance inside the domain, and both ends. (12) lacks P in its
 // linear coefficient; it is 2 C2.(C0 - P) + |C1|^2.
-float ew_nearest_on_curve(ew_curve_block curve, vec3 position, out float nearest_tau)
+float ew_nearest_on_curve(ew_polynomial_curve curve, vec3 position, out float nearest_tau)
 {
-    vec3 offset = curve.origin.xyz - position;
-    float cubic = 2.0 * ew_length_squared(curve.bend.xyz);
-    float quadratic = curve.weights.x;
-    float linear = 2.0 * dot(curve.bend.xyz, offset) + ew_length_squared(curve.tangent.xyz);
-    float constant = dot(curve.tangent.xyz, offset);
+    vec3 offset = curve.c0 - position;
+    float cubic = 2.0 * ew_length_squared(curve.c2);
+    float quadratic = 3.0 * dot(curve.c1, curve.c2);
+    float linear = 2.0 * dot(curve.c2, offset) + ew_length_squared(curve.c1);
+    float constant = dot(curve.c1, offset);
     vec3 roots;
-    if (quadratic == 0.0 && cubic > 0.0) {
+    if (curve.has_vertex) {
         roots = ew_cubic_roots(0.0, linear / cubic, constant / cubic);
     } else {
         // Nearly straight: the cubic's leading coefficient means nothing in single precision, Newton's method does.
@@ -112,11 +117,11 @@ float ew_nearest_on_curve(ew_curve_block curve, vec3 position, out float nearest
                    ((3.0 * cubic * tau + 2.0 * quadratic) * tau + linear);
         roots = vec3(tau);
     }
-    float candidates[5] = float[5](curve.tangent.w, curve.bend.w, roots.x, roots.y, roots.z);
+    float candidates[5] = float[5](curve.first, curve.last, roots.x, roots.y, roots.z);
     float least = 1e38;
     for (int i = 0; i < 5; ++i) {
-        float tau = clamp(candidates[i], curve.tangent.w, curve.bend.w);
-        float distance_squared = ew_length_squared(ew_curve_point(curve, tau) - position);
+        float tau = clamp(candidates[i], curve.first, curve.last);
+        float distance_squared = ew_length_squared(offset + tau * (curve.c1 + tau * curve.c2));
         if (distance_squared < least) {
             least = distance_squared;
             nearest_tau = tau;
@@ -125,8 +130,15 @@ float ew_nearest_on_curve(ew_curve_block curve, vec3 position, out float nearest
     return least;
 }
 
-float ew_integrate_curve(ew_segment segment, ew_curve_block curve)
+float ew_integrate_curve(ew_segment segment, ew_curve_block block)
 {
+    ew_polynomial_curve curve;
+    curve.c0 = block.origin.xyz;
+    curve.c1 = block.axis_x.w * block.axis_x.xyz + block.axis_y.w * block.axis_y.xyz;
+    curve.c2 = block.axis_z.w * block.axis_y.xyz;
+    curve.has_vertex = block.axis_y.w == 0.0 && block.axis_z.w > 0.0;
+    curve.first = block.domain.x;
+    curve.last = block.domain.y;
     int divisions = ew_frame.simpson.x;
     float step_length = segment.end / float(divisions);
     float sum = 0.0;
@@ -136,7 +148,7 @@ float ew_integrate_curve(ew_segment segment, ew_curve_block curve)
         float distance_squared = ew_nearest_on_curve(curve, segment.origin + s * segment.direction, tau);
         float value = ew_simpson_weight(i, divisions) * ew_sample(distance_squared, s);
 #ifdef EW_WEIGHTS
-        if (curve.weights.z > 0.0) value *= ew_weight(tau - curve.tangent.w, curve.weights.y, curve.weights.z);
+        if (block.domain.w > 0.0) value *= ew_weight(tau - curve.first, block.domain.z, block.domain.w);
 #endif
         sum += value;
     }

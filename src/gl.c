@@ -134,7 +134,6 @@ static void find_unwanted_capabilities(ew_gl *gl)
         {COMPATIBILITY_POLYGON_STIPPLE, gl->compatibility},
         {DEPTH_BOUNDS_TEST_EXT, !gl->es && has_extension(gl, "GL_EXT_depth_bounds_test")},
     };
-    gl->unwanted_capability_count = 0;
     for (size_t i = 0; i < sizeof candidates / sizeof candidates[0]; i++)
         if (candidates[i].known) gl->unwanted_capabilities[gl->unwanted_capability_count++] = candidates[i].capability;
 

@@ -398,36 +398,69 @@ static void pack_line(const ray_space *space, const ew_line *line, double positi
         position[i] -= along * direction[i];
 }
 
-/* The arc over u in [0, 1], t = domain[0] + u (domain[1] - domain[0]), in ray space; then about its vertex or middle. */
-static void pack_curve(const ray_space *space, const ew_curve *curve, struct ew_curve_block *block, double origin[3],
-                       double tangent[3], double bend[3])
+/* A unit vector across `v`, along the coordinate axis that is most so. */
+static void perpendicular(const double v[3], double unit[3])
+{
+    int least = 0;
+    for (int i = 1; i < 3; ++i)
+        if (fabs(v[i]) < fabs(v[least])) least = i;
+    double across[3];
+    for (int i = 0; i < 3; ++i) across[i] = (i == least ? 1 : 0) - v[least] * v[i];
+    normalize(across, unit);
+}
+
+/* The arc over u in [0, 1], t = domain[0] + u (domain[1] - domain[0]), in ray space. */
+static void arc_in_ray_space(const ray_space *space, const ew_curve *curve, double start[3], double tangent[3], double bend[3])
 {
     double t0 = curve->domain[0], length = curve->domain[1] - curve->domain[0];
-    double world_origin[3], world_tangent[3], world_bend[3], start[3], start_tangent[3];
+    double world_start[3], world_tangent[3], world_bend[3];
     for (int i = 0; i < 3; ++i) {
         double c0 = curve->polynomial[0][i], c1 = curve->polynomial[1][i], c2 = curve->polynomial[2][i];
-        world_origin[i] = c0 + t0 * (c1 + t0 * c2);
+        world_start[i] = c0 + t0 * (c1 + t0 * c2);
         world_tangent[i] = (c1 + 2 * t0 * c2) * length / space->length;
         world_bend[i] = c2 * length * length / space->length;
     }
-    to_ray_space(space, world_origin, start);
-    rotate(space, world_tangent, start_tangent);
+    to_ray_space(space, world_start, start);
+    rotate(space, world_tangent, tangent);
     rotate(space, world_bend, bend);
+}
 
-    double vertex = 0.5;
+/* Moves the arc's origin to its vertex or middle, and turns it into the frame of its plane: axis_y along the bend, axis_x along
+ * the rest of the tangent. A straight or folded arc lies in many planes; any will do. */
+static void pack_arc(const double start[3], const double start_tangent[3], const double bend[3], struct ew_curve_block *block)
+{
+    double origin[3], tangent[3], axis_x[3], axis_y[3], axis_z[3];
+    double middle = 0.5, vertex = 0.5;
     bool at_vertex = false;
     if (dot(bend, bend) > 0) {
-        double u = -dot(start_tangent, bend) / (2 * dot(bend, bend));
-        at_vertex = u >= -MAX_VERTEX_DISTANCE && u <= 1 + MAX_VERTEX_DISTANCE;
-        if (at_vertex) vertex = u;
+        vertex = -dot(start_tangent, bend) / (2 * dot(bend, bend));
+        at_vertex = fabs(vertex - middle) <= 0.5 + MAX_VERTEX_DISTANCE;
     }
+    double tau = at_vertex ? vertex : middle;
     for (int i = 0; i < 3; ++i) {
-        origin[i] = start[i] + vertex * (start_tangent[i] + vertex * bend[i]);
-        tangent[i] = start_tangent[i] + 2 * vertex * bend[i];
+        origin[i] = start[i] + tau * (start_tangent[i] + tau * bend[i]);
+        tangent[i] = start_tangent[i] + 2 * tau * bend[i];
     }
-    block->tangent = pack(tangent, -vertex);
-    block->bend = pack(bend, 1 - vertex);
-    block->weights.x = at_vertex ? 0.0f : (float)(3 * dot(tangent, bend));
+    double unit_tangent[3] = {1, 0, 0};
+    normalize(tangent, unit_tangent);
+    if (!normalize(bend, axis_y)) perpendicular(unit_tangent, axis_y);
+    double slope_y = at_vertex ? 0 : dot(tangent, axis_y);
+    double rest[3];
+    for (int i = 0; i < 3; ++i) rest[i] = tangent[i] - dot(tangent, axis_y) * axis_y[i];
+    double slope_x = sqrt(dot(rest, rest));
+    /* Of a tangent along the bend only rounding errors are left, and they have no direction. */
+    if (slope_x <= 1e-12 * sqrt(dot(start_tangent, start_tangent)) || !normalize(rest, axis_x)) {
+        slope_x = 0;
+        perpendicular(axis_y, axis_x);
+    }
+    for (int i = 0; i < 3; ++i)
+        axis_z[i] = axis_x[(i + 1) % 3] * axis_y[(i + 2) % 3] - axis_x[(i + 2) % 3] * axis_y[(i + 1) % 3];
+    block->origin = pack(origin, 0);
+    block->axis_x = pack(axis_x, slope_x);
+    block->axis_y = pack(axis_y, slope_y);
+    block->axis_z = pack(axis_z, sqrt(dot(bend, bend)));
+    block->domain.x = (float)-tau;
+    block->domain.y = (float)(1 - tau);
 }
 
 static ew_result pack_sources(ew_scene *scene, const ew_frame_desc *frame, const ray_space *space, ew_error *error)
@@ -464,18 +497,18 @@ static ew_result pack_sources(ew_scene *scene, const ew_frame_desc *frame, const
     for (size_t i = 0; i < sources->curve_count; ++i) {
         const ew_curve *curve = &sources->curves[i];
         struct ew_curve_block *block = &scene->curves[i];
-        double origin[3], tangent[3], bend[3];
+        double start[3], tangent[3], bend[3];
         size_t pieces = weight_piece_count(curve->weight_count);
-        pack_curve(space, curve, block, origin, tangent, bend);
-        if ((result = check_coordinates("curves", i, origin, error))) return result;
+        arc_in_ray_space(space, curve, start, tangent, bend);
+        if ((result = check_coordinates("curves", i, start, error))) return result;
         if ((result = check_coordinates("curves", i, tangent, error))) return result;
         if ((result = check_coordinates("curves", i, bend, error))) return result;
         if ((result = scale_coefficient("curves", i, space, frame, curve->coefficient, &coefficient, error))) return result;
-        block->origin = pack(origin, coefficient);
+        pack_arc(start, tangent, bend, block);
+        block->origin.w = (float)coefficient;
         block->color = pack(curve->color, 0);
-        block->weights.y = (float)first_piece;
-        block->weights.z = (float)pieces;
-        block->weights.w = 0;
+        block->domain.z = (float)first_piece;
+        block->domain.w = (float)pieces;
         first_piece += pieces;
     }
     return EW_OK;
