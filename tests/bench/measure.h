@@ -1,0 +1,47 @@
+/*
+ * Speed and error of integrators on a scene.
+ */
+#ifndef MEASURE_H
+#define MEASURE_H
+
+#include "context.h"
+#include "integrator.h"
+#include "scene_file.h"
+
+/* The fewest repetitions, for frames of more than MEASURE_SLOW_FRAME milliseconds too, which are not repeated more often. */
+#define MEASURE_MIN_REPETITIONS 3
+#define MEASURE_SLOW_FRAME 1000.0
+
+typedef struct measure_settings {
+    int width;
+    int height;
+    const bench_integrator *integrators;
+    size_t integrator_count;
+    int repetitions; /* at least MEASURE_MIN_REPETITIONS */
+    size_t error_samples;
+} measure_settings;
+
+/* One integrator's. The errors and evaluations of FAMILY_BARE are 0 and mean nothing. */
+typedef struct measurement {
+    double ms_median;
+    double ms_min;
+    int repetitions;
+    double evaluations_per_pixel;
+    double max_error; /* see truth_errors */
+    double p99_error;
+} measurement;
+
+typedef struct scene_measurements {
+    measurement *integrators; /* in the settings' order */
+    size_t pixels;            /* that errors were measured at */
+    size_t unreliable_pixels; /* that were left out, since the reference did not vouch for its value */
+} scene_measurements;
+
+/* Measures all of the integrators in turns, so that whatever slows the machine down for a while hits all alike. `name` is the
+ * scene's, for the line that tells of the progress. On failure returns false, with a message and nothing to free. */
+bool measure_scene(gl_context *context, const ew_scene *scene, const char *name, const measure_settings *settings,
+                   scene_measurements *measurements, char *message, size_t size);
+
+void measure_free(scene_measurements *measurements);
+
+#endif

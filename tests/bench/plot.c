@@ -1,0 +1,145 @@
+/* Time against error as a picture: see plot.h. */
+#include "plot.h"
+#include "message.h"
+
+#include <errno.h>
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+/* Colours that are told apart without red or green too (Okabe and Ito). */
+static const struct {
+    const char *title, *color, *style;
+} families[FAMILY_BARE] = {
+    [FAMILY_ADAPTIVE] = {"adaptive", "#0072b2", "lw 3 pt 7 ps 0.9"},
+    [FAMILY_SIMPSON] = {"Simpson", "#d55e00", "lw 1.5 pt 5 ps 0.6"},
+    [FAMILY_MARCHING] = {"uniform marching", "#009e73", "lw 1.5 pt 9 ps 0.7"},
+    [FAMILY_EQUIANGULAR] = {"equiangular sampling", "#cc79a7", "lw 1.5 pt 11 ps 0.7"},
+};
+
+typedef struct extent {
+    double least;
+    double largest;
+} extent;
+
+static void extend(extent *range, double value)
+{
+    range->least = fmin(range->least, value);
+    range->largest = fmax(range->largest, value);
+}
+
+static bool can_be_drawn(const measurement *point)
+{
+    return point->ms_median > 0 && point->max_error > 0 && isfinite(point->max_error);
+}
+
+/* Writes the points of a family, in the order of their times, as a block of data; returns how many there are. */
+static size_t write_data(FILE *file, const bench_results *results, const bench_scene *scene, integrator_family family)
+{
+    const measure_settings *settings = &results->settings;
+    size_t count = 0;
+    double last = 0;
+    fprintf(file, "$%s << END\n", integrator_family_names[family]);
+    for (;;) {
+        size_t next = settings->integrator_count;
+        for (size_t i = 0; i < settings->integrator_count; i++) {
+            const measurement *point = &scene->measurements.integrators[i];
+            if (settings->integrators[i].family != family || !can_be_drawn(point) || point->ms_median <= last) continue;
+            if (next == settings->integrator_count || point->ms_median < scene->measurements.integrators[next].ms_median)
+                next = i;
+        }
+        if (next == settings->integrator_count) break;
+        const measurement *point = &scene->measurements.integrators[next];
+        fprintf(file, "%.6g %.6g %s\n", point->ms_median, point->max_error, strchr(settings->integrators[next].name, ':') + 1);
+        last = point->ms_median;
+        count++;
+    }
+    fputs("END\n", file);
+    return count;
+}
+
+static void write_ranges(FILE *file, const bench_results *results, const bench_scene *scene)
+{
+    extent times = {HUGE_VAL, 0}, errors = {HUGE_VAL, 0};
+    for (size_t i = 0; i < results->settings.integrator_count; i++) {
+        const measurement *point = &scene->measurements.integrators[i];
+        bool bare = results->settings.integrators[i].family == FAMILY_BARE;
+        if (bare || can_be_drawn(point)) extend(&times, point->ms_median);
+        if (!bare && can_be_drawn(point)) extend(&errors, point->max_error);
+    }
+    if (times.largest > 0) fprintf(file, "set xrange [%.6g:%.6g]\n", times.least / 2, times.largest * 2);
+    if (errors.largest > 0)
+        fprintf(file, "set yrange [%.6g:%.6g]\n", pow(10, floor(log10(errors.least / 1.3))),
+                pow(10, ceil(log10(errors.largest * 1.3))));
+}
+
+static void write_script(FILE *file, const bench_results *results, const bench_scene *scene)
+{
+    const measure_settings *settings = &results->settings;
+    const measurement *bare = results_find(results, scene, "bare");
+    size_t counts[FAMILY_BARE], drawn = 0;
+    for (int family = 0; family < FAMILY_BARE; family++)
+        counts[family] = write_data(file, results, scene, (integrator_family)family);
+    fputs("set terminal svg size 760,520 dynamic background 'white' font 'sans-serif,14'\n", file);
+    fprintf(file, "set output '%s.svg'\n", scene->name);
+    fprintf(file, "set title '%s' noenhanced\n", scene->name);
+    fprintf(file, "set xlabel 'milliseconds a frame of %d x %d'\nset ylabel 'largest relative error'\n", settings->width,
+            settings->height);
+    fputs(
+        "set logscale xy\nset format x '%g'\nset format y '10^{%L}'\nset grid lc rgb '#dddddd'\nset key outside bottom center "
+        "horizontal\n",
+        file);
+    write_ranges(file, results, scene);
+    if (bare)
+        fprintf(file, "set arrow from %.6g, graph 0 to %.6g, graph 1 nohead dt 2 lw 1.5 lc rgb '#666666'\n", bare->ms_median,
+                bare->ms_median);
+    fputs("plot ", file);
+    for (int family = 0; family < FAMILY_BARE; family++) {
+        if (counts[family] == 0) continue;
+        fprintf(file, "%s$%s using 1:2 with linespoints %s lc rgb '%s' title '%s'", drawn++ > 0 ? ", \\\n     " : "",
+                integrator_family_names[family], families[family].style, families[family].color, families[family].title);
+        fprintf(file, ", \\\n     '' using 1:2:3 with labels offset 0.6,0.6 left font ',10' tc rgb '%s' notitle",
+                families[family].color);
+    }
+    if (bare)
+        fprintf(file, "%sNaN with lines dt 2 lw 1.5 lc rgb '#666666' title 'a bare pass'", drawn > 0 ? ", \\\n     " : "");
+    fputs("\n", file);
+}
+
+/* Runs gnuplot on a script in `folder`; returns whether that succeeded. */
+static bool run_gnuplot(const char *folder, const char *script)
+{
+    int status = -1;
+    pid_t child = fork();
+    if (child == 0) {
+        if (chdir(folder) == 0) execlp("gnuplot", "gnuplot", script, (char *)NULL);
+        _exit(127);
+    }
+    return child > 0 && waitpid(child, &status, 0) == child && WIFEXITED(status) && WEXITSTATUS(status) == 0;
+}
+
+bool plot_draw(const bench_results *results, const bench_scene *scene, const char *folder, char *message, size_t size)
+{
+    char script[80], path[4096];
+    snprintf(script, sizeof script, "%s.gnuplot", scene->name);
+    snprintf(path, sizeof path, "%s/%s", folder, script);
+    FILE *file = fopen(path, "w");
+    bool written = file != NULL;
+    if (file) {
+        write_script(file, results, scene);
+        written = !ferror(file);
+        written = fclose(file) == 0 && written;
+    }
+    if (!written) {
+        message_write(message, size, "%s: cannot be written (%s)", path, strerror(errno));
+        return false;
+    }
+    if (run_gnuplot(folder, script)) {
+        remove(path);
+        return true;
+    }
+    message_write(message, size, "%s: gnuplot could not draw it; run it there where there is gnuplot", path);
+    return false;
+}

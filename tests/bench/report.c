@@ -1,0 +1,191 @@
+/* The measurements as a page to read: see report.h. */
+#include "report.h"
+#include "message.h"
+#include "plot.h"
+#include "truth.h"
+
+#include <errno.h>
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+#include <sys/stat.h>
+
+/* What the sentences and the summary compare. */
+static const char ours[] = "adaptive:1e-3", published[] = "simpson:200";
+
+/* A number for people, to two or three digits. Valid until the eighth call from this one. */
+static const char *number(double value)
+{
+    static char texts[8][32];
+    static int next;
+    char *text = texts[next++ % 8];
+    double magnitude = fabs(value);
+    if (value == 0 || !isfinite(value))
+        snprintf(text, sizeof texts[0], "%g", value);
+    else if (magnitude >= 1e5 || magnitude < 1e-2)
+        snprintf(text, sizeof texts[0], "%.1fe%d", value / pow(10, floor(log10(magnitude))), (int)floor(log10(magnitude)));
+    else
+        snprintf(text, sizeof texts[0], "%.*f", magnitude >= 100 ? 0 : magnitude >= 10 ? 1 : magnitude >= 1 ? 2 : 3, value);
+    return text;
+}
+
+static void write_introduction(FILE *file, const bench_results *results)
+{
+    const measure_settings *settings = &results->settings;
+    const bench_machine *machine = &results->machine;
+    fputs("# Speed against error\n\n"
+          "Written by `ew-bench`, every number and every sentence. Left is faster, below is more accurate.\n\n",
+          file);
+    fprintf(file, "- Machine: %s, %ld core%s; %s, OpenGL %s.\n", machine->processor, machine->cores,
+            machine->cores == 1 ? "" : "s", machine->renderer, machine->version);
+    fprintf(file, "- Time: of one frame of %d x %d, luminance only, %s; the median of %d", settings->width, settings->height,
+            machine->has_gl_timer ? "by GL's own timer" : "on the wall clock, from `glFinish` to `glFinish`",
+            settings->repetitions);
+    fprintf(file, " (of %d where a frame takes longer than a second), all integrators taking turns.\n",
+            MEASURE_MIN_REPETITIONS);
+    const bench_scene *first = &results->scenes[0];
+    fprintf(file,
+            "- Error: against a double-precision reference, relative to the truth or to %g of the picture's largest luminance, "
+            "whichever is greater; the largest at %zu pixels, half of them on the sources and close around.\n\n",
+            TRUTH_DARK, first->measurements.pixels + first->measurements.unreliable_pixels);
+    fputs(
+        "What is compared:\n\n"
+        "- `adaptive:E`: this library, with the quality E.\n"
+        "- `simpson:N`: the published method, Simpson's rule with N divisions and a closed-form nearest point a sample.\n"
+        "- `marching:N`: N equal steps, jittered by interleaved gradient noise, which is what game engines do.\n"
+        "- `equiangular:N`: N samples at equal angles about each source's point nearest to the ray, which is what path tracers "
+        "do. It is made for light that falls off with the square of the distance.\n"
+        "- `bare`: a pass over the same target that only writes a constant.\n\n"
+        "Marching and equiangular sampling find a curve's nearest point as the published method does. No samples are averaged "
+        "over frames or filtered.\n\n",
+        file);
+}
+
+static void write_summary(FILE *file, const bench_results *results)
+{
+    fprintf(file,
+            "| scene | `%s`, ms | largest error | `%s`, ms | largest error | times the speed | times a bare pass |\n"
+            "|---|--:|--:|--:|--:|--:|--:|\n",
+            ours, published);
+    for (size_t i = 0; i < results->scene_count; i++) {
+        const bench_scene *scene = &results->scenes[i];
+        const measurement *a = results_find(results, scene, ours), *b = results_find(results, scene, published);
+        const measurement *bare = results_find(results, scene, "bare");
+        fprintf(file, "| [%s](#%s) | %s | %s | %s | %s | %s |", scene->name, scene->name, number(a->ms_median),
+                number(a->max_error), number(b->ms_median), number(b->max_error), number(b->ms_median / a->ms_median));
+        fprintf(file, " %s |\n", bare ? number(a->ms_median / bare->ms_median) : "");
+    }
+    fputs("\n", file);
+}
+
+/* Whether some setting of the adaptive integrator is at least as fast and as accurate. */
+static bool is_beaten(const bench_results *results, const bench_scene *scene, const measurement *peer)
+{
+    for (size_t i = 0; i < results->settings.integrator_count; i++) {
+        const measurement *own = &scene->measurements.integrators[i];
+        if (results->settings.integrators[i].family == FAMILY_ADAPTIVE && own->ms_median <= peer->ms_median &&
+            own->max_error <= peer->max_error)
+            return true;
+    }
+    return false;
+}
+
+static bool is_peer(const bench_integrator *integrator)
+{
+    return integrator->family != FAMILY_ADAPTIVE && integrator->family != FAMILY_BARE;
+}
+
+static void write_sentences(FILE *file, const bench_results *results, const bench_scene *scene)
+{
+    const measure_settings *settings = &results->settings;
+    const measurement *a = results_find(results, scene, ours), *b = results_find(results, scene, published);
+    if (a && b)
+        fprintf(
+            file,
+            "`%s` takes %s ms and is wrong by %s at most, `%s` %s ms and %s: %s times the speed at %s times the accuracy.\n",
+            ours, number(a->ms_median), number(a->max_error), published, number(b->ms_median), number(b->max_error),
+            number(b->ms_median / a->ms_median), number(b->max_error / a->max_error));
+    size_t peers = 0, unbeaten = 0;
+    for (size_t i = 0; i < settings->integrator_count; i++) {
+        const measurement *peer = &scene->measurements.integrators[i];
+        if (!is_peer(&settings->integrators[i])) continue;
+        peers++;
+        if (is_beaten(results, scene, peer)) continue;
+        fprintf(file, "%s `%s` (%s ms, %s)",
+                unbeaten++ == 0 ? "No setting of `adaptive` is both faster and more accurate than" : ",",
+                settings->integrators[i].name, number(peer->ms_median), number(peer->max_error));
+    }
+    if (unbeaten > 0 && unbeaten < peers)
+        fprintf(file, "; the other %zu of its %zu peers lie right of and above one.\n\n", peers - unbeaten, peers);
+    else if (unbeaten > 0)
+        fprintf(file, ", which are all of its peers.\n\n");
+    else if (peers > 0)
+        fprintf(file, "Each of the %zu peers lies right of and above a setting of `adaptive`.\n\n", peers);
+}
+
+static void write_table(FILE *file, const bench_results *results, const bench_scene *scene)
+{
+    const measure_settings *settings = &results->settings;
+    fputs("| integrator | ms, median | ms, least | frames | evaluations a pixel | largest error | error of 99 % |\n"
+          "|---|--:|--:|--:|--:|--:|--:|\n",
+          file);
+    for (size_t i = 0; i < settings->integrator_count; i++) {
+        const measurement *row = &scene->measurements.integrators[i];
+        fprintf(file, "| `%s` | %s | %s | %d |", settings->integrators[i].name, number(row->ms_median), number(row->ms_min),
+                row->repetitions);
+        if (settings->integrators[i].family == FAMILY_BARE)
+            fputs(" | | |\n", file);
+        else
+            fprintf(file, " %s | %s | %s |\n", number(row->evaluations_per_pixel), number(row->max_error),
+                    number(row->p99_error));
+    }
+    if (scene->measurements.unreliable_pixels > 0)
+        fprintf(file, "\nThe reference did not vouch for %zu of %zu pixels; they were left out.\n",
+                scene->measurements.unreliable_pixels, scene->measurements.unreliable_pixels + scene->measurements.pixels);
+    fputs("\n", file);
+}
+
+static void write_page(FILE *file, const bench_results *results, const char *base)
+{
+    write_introduction(file, results);
+    if (results_find(results, &results->scenes[0], ours) && results_find(results, &results->scenes[0], published))
+        write_summary(file, results);
+    for (size_t i = 0; i < results->scene_count; i++) {
+        const bench_scene *scene = &results->scenes[i];
+        fprintf(file, "## %s\n\n", scene->name);
+        write_sentences(file, results, scene);
+        fprintf(file, "![Time against largest error, both logarithmic](%s/%s.svg)\n\n", base, scene->name);
+        write_table(file, results, scene);
+    }
+}
+
+static bool make_folder(const char *path, char *message, size_t size)
+{
+    if (mkdir(path, 0777) == 0 || errno == EEXIST) return true;
+    message_write(message, size, "%s: cannot be made a folder (%s)", path, strerror(errno));
+    return false;
+}
+
+bool report_write(const bench_results *results, const char *folder, const char *name, char *message, size_t size)
+{
+    char base[128], page[4096], plots[4096];
+    snprintf(base, sizeof base, "speed-and-error%s%s", name ? "-" : "", name ? name : "");
+    snprintf(page, sizeof page, "%s/%s.md", folder, base);
+    snprintf(plots, sizeof plots, "%s/%s", folder, base);
+    if (!make_folder(folder, message, size) || !make_folder(plots, message, size)) return false;
+    FILE *file = fopen(page, "w");
+    bool written = file != NULL;
+    if (file) {
+        write_page(file, results, base);
+        written = !ferror(file);
+        written = fclose(file) == 0 && written;
+    }
+    if (!written) {
+        message_write(message, size, "%s: cannot be written (%s)", page, strerror(errno));
+        return false;
+    }
+    bool drawn = true;
+    for (size_t i = 0; i < results->scene_count; i++)
+        drawn = plot_draw(results, &results->scenes[i], plots, message, size) && drawn;
+    return drawn;
+}
