@@ -1,0 +1,50 @@
+/*
+ * The reference: the luminance of a field along one ray, in double precision, as accurate as is practical. It evaluates the
+ * definition in energywave.h directly (distance to the nearest point, recursive B-spline basis) under GSL's adaptive
+ * quadrature, and shares neither code nor method with the library and its shaders.
+ */
+#ifndef REFERENCE_H
+#define REFERENCE_H
+
+#include "energywave.h"
+#include <stdbool.h>
+
+/* A reference value counts as reliable while its error is at most this share of it. */
+#define REFERENCE_RELATIVE_ERROR 1e-7
+
+/* L(s) = start + s (end - start), s from 0 to s_max <= 1, in the sources' space. Coordinates near the origin keep the most
+ * digits: for a camera far from it, move sources and ray so that the eye is at the origin. */
+typedef struct reference_ray {
+    double start[3];
+    double end[3];
+    double s_max;
+    double decay_alpha;
+    double decay_beta;
+} reference_ray;
+
+/* A luminance and a bound of its absolute error. */
+typedef struct reference_value {
+    double luminance;
+    double error;
+} reference_value;
+
+/* Memory to compute in. One thread at a time. */
+typedef struct reference_workspace reference_workspace;
+
+/* NULL if memory is exhausted. Turns GSL's error handler off, for the whole process. */
+reference_workspace *reference_create_workspace(void);
+void reference_destroy_workspace(reference_workspace *workspace);
+
+/* Computes the luminance of the sources together, and in `shares` (NULL for none) that of each: the points, then the lines,
+ * the tori and the curves. Returns whether the sum's error is within REFERENCE_RELATIVE_ERROR. */
+bool reference_luminance(reference_workspace *workspace, const ew_sources_desc *sources, const reference_ray *ray,
+                         reference_value *sum, reference_value *shares);
+
+/* The weight at u in [0, 1] of a list of `count` values: 1 for none, a constant for one, a ramp for two, else the clamped
+ * uniform quadratic B-spline by its recursive definition, equations (14) to (16), with half-open intervals but for the last. */
+double reference_weight(const double *weights, size_t count, double u);
+
+/* The distance from a point to a curve, and in `t` (NULL for none) the nearest parameter. */
+double reference_curve_distance(const ew_curve *curve, const double point[3], double *t);
+
+#endif
