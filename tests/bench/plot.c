@@ -35,25 +35,16 @@ static bool can_be_drawn(const measurement *point)
     return point->ms_median > 0 && point->max_error > 0 && isfinite(point->max_error);
 }
 
-/* Writes the points of a family, in the order of their times, as a block of data; returns how many there are. */
+/* Writes the points of a family, in the order in which they were named, as a block of data; returns how many there are. */
 static size_t write_data(FILE *file, const bench_results *results, const bench_scene *scene, integrator_family family)
 {
-    const measure_settings *settings = &results->settings;
     size_t count = 0;
-    double last = 0;
     fprintf(file, "$%s << END\n", integrator_family_names[family]);
-    for (;;) {
-        size_t next = settings->integrator_count;
-        for (size_t i = 0; i < settings->integrator_count; i++) {
-            const measurement *point = &scene->measurements.integrators[i];
-            if (settings->integrators[i].family != family || !can_be_drawn(point) || point->ms_median <= last) continue;
-            if (next == settings->integrator_count || point->ms_median < scene->measurements.integrators[next].ms_median)
-                next = i;
-        }
-        if (next == settings->integrator_count) break;
-        const measurement *point = &scene->measurements.integrators[next];
-        fprintf(file, "%.6g %.6g %s\n", point->ms_median, point->max_error, strchr(settings->integrators[next].name, ':') + 1);
-        last = point->ms_median;
+    for (size_t i = 0; i < results->settings.integrator_count; i++) {
+        const bench_integrator *integrator = &results->settings.integrators[i];
+        const measurement *point = &scene->measurements.integrators[i];
+        if (integrator->family != family || !can_be_drawn(point)) continue;
+        fprintf(file, "%.6g %.6g %s\n", point->ms_median, point->max_error, strchr(integrator->name, ':') + 1);
         count++;
     }
     fputs("END\n", file);
@@ -87,10 +78,9 @@ static void write_script(FILE *file, const bench_results *results, const bench_s
     fprintf(file, "set title '%s' noenhanced\n", scene->name);
     fprintf(file, "set xlabel 'milliseconds a frame of %d x %d'\nset ylabel 'largest relative error'\n", settings->width,
             settings->height);
-    fputs(
-        "set logscale xy\nset format x '%g'\nset format y '10^{%L}'\nset grid lc rgb '#dddddd'\nset key outside bottom center "
-        "horizontal\n",
-        file);
+    fputs("set logscale xy\nset format x '%g'\nset format y '10^{%L}'\nset grid lt 1 lw 0.5 lc rgb '#dddddd'\n"
+          "set key outside top center horizontal\n",
+          file);
     write_ranges(file, results, scene);
     if (bare)
         fprintf(file, "set arrow from %.6g, graph 0 to %.6g, graph 1 nohead dt 2 lw 1.5 lc rgb '#666666'\n", bare->ms_median,
