@@ -142,7 +142,7 @@ static void each_curve_finds_its_own_pieces(void **state)
     assert_int_equal(ew_scene_pack(&scene, &frame, &block, NULL), EW_OK);
     const size_t piece_counts[4] = {3, 0, 2, 1};
     for (int i = 0; i < 4; ++i) {
-        size_t first = (size_t)scene.curves[i].weights.y, count = (size_t)scene.curves[i].weights.z;
+        size_t first = (size_t)scene.curves[i].domain.z, count = (size_t)scene.curves[i].domain.w;
         assert_int_equal(count, piece_counts[i]);
         assert_true(first + count <= scene.weight_piece_count);
         if (count == 0) continue;
