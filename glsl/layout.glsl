@@ -12,7 +12,7 @@ struct ew_frame_block {
     vec4 depth_start;   // window depth of S: x + y at pixel_center (a float and its rounding error), zw: growth a pixel right, up
     vec4 depth_end;     // likewise of E
     vec4 depth_scale;   // x, y: clip w of S and of E, negated both for reversed-Z; zw: unused
-    vec4 decay;         // x: beta, y: 1 / beta, z: epsilon, w: the relative error that the adaptive integrator may make
+    vec4 decay;         // x: beta, y: 1 / beta, z: epsilon, w: the bend that a panel of the adaptive integrator may have, relative to the integral
     ivec4 source_count; // points, lines, tori, curves
     ivec4 simpson;      // x: number of divisions
 };
@@ -41,7 +41,7 @@ struct ew_curve_block {
     vec4 axis_x; // w: slope_x >= 0
     vec4 axis_y; // w: slope_y
     vec4 axis_z; // w: bend >= 0
-    vec4 color;
+    vec4 color;  // w: the mean of the weights, 1 without
     vec4 domain; // x: first, y: last, z: the first weight piece, w: how many pieces there are (0: none)
 };
 

@@ -64,3 +64,24 @@ float ew_integrate_line_distance(float b2, float k, float s0, float from, float 
     }
     return sum;
 }
+
+// Where a ray passes a source closely: the squared distance b2 + k (s - s0)^2 that agrees with the source's there in value, slope
+// and curvature, and the source's weight.
+struct ew_passage {
+    float b2;
+    float k;
+    float s0;
+    float weight;
+};
+
+// The most panels of an interval's quadrature, refused ones included.
+const int EW_MAX_PANELS = 200;
+
+// The difference of weight / max(epsilon, d) of the source and of the passage at s.
+float ew_reciprocal_difference(ew_passage passage, float s, float distance_squared, float weight)
+{
+    float epsilon2 = ew_square(ew_frame.decay.z);
+    float model = passage.b2 + passage.k * ew_square(s - passage.s0);
+    ew_evaluation_count += 1;
+    return weight * inversesqrt(max(distance_squared, epsilon2)) - passage.weight * inversesqrt(max(model, epsilon2));
+}

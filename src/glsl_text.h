@@ -10,6 +10,7 @@ extern const char ew_glsl_quadrature_glsl[];
 extern const char ew_glsl_point_glsl[];
 extern const char ew_glsl_line_glsl[];
 extern const char ew_glsl_torus_glsl[];
+extern const char ew_glsl_rest_glsl[];
 extern const char ew_glsl_weight_glsl[];
 extern const char ew_glsl_curve_glsl[];
 extern const char ew_glsl_simpson_glsl[];

@@ -90,10 +90,24 @@ static const struct {
     const char *text;
     bool (*is_needed)(unsigned key);
 } fragment_files[] = {
-    {ew_glsl_layout_glsl, always},          {ew_glsl_blocks_glsl, always},           {ew_glsl_depth_glsl, reads_depth},
-    {ew_glsl_segment_glsl, always},         {ew_glsl_weight_glsl, has_weights},      {ew_glsl_simpson_glsl, is_simpson},
-    {ew_glsl_quadrature_glsl, is_adaptive}, {ew_glsl_point_glsl, integrates_points}, {ew_glsl_line_glsl, integrates_lines},
-    {ew_glsl_torus_glsl, integrates_tori},  {ew_glsl_curve_glsl, integrates_curves}, {ew_glsl_wave_frag, always},
+    {ew_glsl_layout_glsl, always},
+    {ew_glsl_blocks_glsl, always},
+    {ew_glsl_depth_glsl, reads_depth},
+    {ew_glsl_segment_glsl, always},
+    {ew_glsl_weight_glsl, has_weights},
+    {ew_glsl_simpson_glsl, is_simpson},
+    {ew_glsl_quadrature_glsl, is_adaptive},
+    {ew_glsl_point_glsl, integrates_points},
+    {ew_glsl_line_glsl, integrates_lines},
+    {ew_glsl_torus_glsl, integrates_tori},
+    {"#define EW_SHAPE ew_ring\n", integrates_tori},
+    {ew_glsl_rest_glsl, integrates_tori},
+    {"#undef EW_SHAPE\n", integrates_tori},
+    {ew_glsl_curve_glsl, integrates_curves},
+    {"#define EW_SHAPE ew_arc\n", integrates_curves},
+    {ew_glsl_rest_glsl, integrates_curves},
+    {"#undef EW_SHAPE\n", integrates_curves},
+    {ew_glsl_wave_frag, always},
 };
 
 enum { FRAGMENT_FILE_COUNT = sizeof fragment_files / sizeof fragment_files[0], MAX_HEADER_LENGTH = 1024 };

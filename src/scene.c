@@ -189,6 +189,14 @@ static void make_weight_pieces(const double *weights, size_t count, struct ew_we
     }
 }
 
+static double mean(const double *values, size_t count)
+{
+    double sum = 0;
+    for (size_t i = 0; i < count; ++i)
+        sum += values[i];
+    return sum / (double)count;
+}
+
 /* Hands out the next `size` bytes of an allocation, or only counts them while there is none yet. */
 static void *carve(char *memory, size_t *used, size_t size)
 {
@@ -243,6 +251,7 @@ ew_result ew_scene_create(const ew_sources_desc *sources, const ew_capacity *cap
     for (size_t i = 0; i < sources->curve_count; ++i) {
         size_t count = sources->curves[i].weight_count;
         if (count > 0) make_weight_pieces(sources->curves[i].weights, count, pieces);
+        made.curves[i].color.w = count > 0 ? (float)mean(sources->curves[i].weights, count) : 1;
         pieces += weight_piece_count(count);
     }
     *scene = made;
@@ -405,7 +414,8 @@ static void perpendicular(const double v[3], double unit[3])
     for (int i = 1; i < 3; ++i)
         if (fabs(v[i]) < fabs(v[least])) least = i;
     double across[3];
-    for (int i = 0; i < 3; ++i) across[i] = (i == least ? 1 : 0) - v[least] * v[i];
+    for (int i = 0; i < 3; ++i)
+        across[i] = (i == least ? 1 : 0) - v[least] * v[i];
     normalize(across, unit);
 }
 
@@ -446,7 +456,8 @@ static void pack_arc(const double start[3], const double start_tangent[3], const
     if (!normalize(bend, axis_y)) perpendicular(unit_tangent, axis_y);
     double slope_y = at_vertex ? 0 : dot(tangent, axis_y);
     double rest[3];
-    for (int i = 0; i < 3; ++i) rest[i] = tangent[i] - dot(tangent, axis_y) * axis_y[i];
+    for (int i = 0; i < 3; ++i)
+        rest[i] = tangent[i] - dot(tangent, axis_y) * axis_y[i];
     double slope_x = sqrt(dot(rest, rest));
     /* Of a tangent along the bend only rounding errors are left, and they have no direction. */
     if (slope_x <= 1e-12 * sqrt(dot(start_tangent, start_tangent)) || !normalize(rest, axis_x)) {
@@ -506,7 +517,7 @@ static ew_result pack_sources(ew_scene *scene, const ew_frame_desc *frame, const
         if ((result = scale_coefficient("curves", i, space, frame, curve->coefficient, &coefficient, error))) return result;
         pack_arc(start, tangent, bend, block);
         block->origin.w = (float)coefficient;
-        block->color = pack(curve->color, 0);
+        block->color = pack(curve->color, (double)block->color.w);
         block->domain.z = (float)first_piece;
         block->domain.w = (float)pieces;
         first_piece += pieces;
@@ -581,11 +592,13 @@ static void pack_rays(const ew_frame_desc *frame, const ray_space *space, struct
     block->depth_scale = (ew_vec4){(float)(sign * w_start), (float)sign, 0, 0};
 }
 
-static double relative_error(ew_quality quality)
+/* How much the three values of a panel may bend, relative to the integral, for the whole to keep the quality's error: measured,
+ * not derived (docs/method.md). */
+static double bend_tolerance(ew_quality quality)
 {
-    static const double errors[] = {
-        [EW_QUALITY_ERROR_1E_2] = 1e-2, [EW_QUALITY_ERROR_1E_3] = 1e-3, [EW_QUALITY_ERROR_1E_4] = 1e-4};
-    return errors[quality];
+    static const double tolerances[] = {
+        [EW_QUALITY_ERROR_1E_2] = 1e-2, [EW_QUALITY_ERROR_1E_3] = 1e-3, [EW_QUALITY_ERROR_1E_4] = 2e-4};
+    return tolerances[quality];
 }
 
 ew_result ew_scene_pack(ew_scene *scene, const ew_frame_desc *frame, struct ew_frame_block *block, ew_error *error)
@@ -601,7 +614,7 @@ ew_result ew_scene_pack(ew_scene *scene, const ew_frame_desc *frame, struct ew_f
     *block = (struct ew_frame_block){0};
     pack_rays(frame, &space, block);
     block->decay = (ew_vec4){(float)frame->decay_beta, (float)(1 / frame->decay_beta), (float)epsilon,
-                             (float)relative_error(frame->quality)};
+                             (float)bend_tolerance(frame->quality)};
     block->source_count = (ew_ivec4){(int)scene->sources.point_count, (int)scene->sources.line_count,
                                      (int)scene->sources.torus_count, (int)scene->sources.curve_count};
     block->simpson.x = frame->simpson_divisions;

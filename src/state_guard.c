@@ -161,7 +161,10 @@ static void keep_first_draw_buffer(const ew_gl *gl, ew_gl_state *state)
         state->draw_buffers[i] = (GLenum)get_integer(gl, GL_DRAW_BUFFER0 + (GLenum)i);
         if (i > 0 && state->draw_buffers[i] != GL_NONE) state->draw_buffer_count = i + 1;
     }
-    if (state->draw_buffer_count > 0) gl->DrawBuffers(1, state->draw_buffers);
+    if (state->draw_buffer_count == 0) return;
+    gl->DrawBuffers(1, state->draw_buffers);
+    /* Mesa (22.3) checks the draw buffers against the blend factors when the program changes, not when they do. */
+    gl->UseProgram(0);
 }
 
 void ew_gl_set_draw_state(const ew_gl *gl, ew_gl_state *state, const ew_gl_draw_state *draw)
@@ -172,9 +175,8 @@ void ew_gl_set_draw_state(const ew_gl *gl, ew_gl_state *state, const ew_gl_draw_
                                         (GLfloat)draw->viewport[3]});
 
     set_blend(gl, draw->blend);
-    if (draw->blend)
-        set_blend_factors(gl, draw->source_rgb, draw->destination_rgb, draw->source_alpha, draw->destination_alpha);
-    /* Without blending, too: an advanced equation is an error as long as any draw buffer blends, also one not drawn to. */
+    /* Without blending, too: an advanced equation or a second source's factor may be an error wherever it stands. */
+    set_blend_factors(gl, draw->source_rgb, draw->destination_rgb, draw->source_alpha, draw->destination_alpha);
     set_blend_equation(gl, GL_FUNC_ADD, GL_FUNC_ADD);
     set_color_mask(gl, (const GLboolean[4]){GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE});
     if (gl->PolygonMode) gl->PolygonMode(GL_FRONT_AND_BACK, GL_FILL);
