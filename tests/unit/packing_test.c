@@ -89,7 +89,7 @@ static const double float_error = 2e-7;
 static ew_scene pack(const ew_sources_desc *desc, const ew_frame_desc *frame, struct ew_frame_block *block)
 {
     ew_capacity capacity = ew_scene_capacity(65536);
-    ew_scene scene;
+    ew_scene scene = {0};
     ew_error error = {EW_OK, ""};
     if (ew_validate_frame(frame, &error) != EW_OK || ew_scene_create(desc, &capacity, &scene, &error) != EW_OK ||
         ew_scene_pack(&scene, frame, block, &error) != EW_OK)

@@ -204,7 +204,7 @@ static struct ew_frame_block pack(const camera *c)
     frame.viewport_height = HEIGHT;
     ew_scene scene = {.sources = {.epsilon = 1}};
     ew_error error = {EW_OK, ""};
-    struct ew_frame_block block;
+    struct ew_frame_block block = {0};
     if (ew_validate_frame(&frame, &error) != EW_OK || ew_scene_pack(&scene, &frame, &block, &error) != EW_OK)
         fail_msg("%s is refused: %s", c->name, error.text);
     return block;
