@@ -126,6 +126,7 @@ static void versions_and_profiles_are_told_apart(void **state)
         assert_int_equal(gl.es, cases[i].es);
         assert_int_equal(gl.compatibility, cases[i].compatibility);
         assert_int_equal(gl.max_uniform_block_size, 12345);
+        assert_int_equal(gl.max_draw_buffers, 8);
         assert_int_equal(error.code, EW_OK);
     }
 }
@@ -194,17 +195,65 @@ static void optional_functions_come_with_versions_and_extensions_only(void **sta
     assert_null(gl.PolygonMode);
     assert_non_null(gl.PauseTransformFeedback);
 
-    fake.extensions[0] = "GL_EXT_draw_buffers_indexed";
-    fake.absent[0] = "glEnablei";
+    static const char *const extensions[] = {"GL_OES_draw_buffers_indexed", "GL_EXT_draw_buffers_indexed"};
+    for (int i = 0; i < 2; i++) {
+        fake.extensions[0] = extensions[i];
+        fake.absent[0] = "glEnablei"; /* these extensions' names end in OES and EXT */
+        assert_int_equal(load(), EW_OK);
+        assert_non_null(gl.Enablei);
+        assert_non_null(gl.BlendEquationi);
+    }
+
+    /* What the version brings is not taken from the extension. */
+    fake = (struct fake_context){
+        .version = "OpenGL ES 3.2", .extensions = {"GL_OES_draw_buffers_indexed"}, .absent = {"glEnableiOES"}};
     assert_int_equal(load(), EW_OK);
     assert_non_null(gl.Enablei);
     assert_non_null(gl.BlendEquationi);
-
-    fake = (struct fake_context){.version = "OpenGL ES 3.2"};
-    assert_int_equal(load(), EW_OK);
-    assert_non_null(gl.Enablei);
     assert_non_null(gl.GenProgramPipelines);
     assert_null(gl.ViewportIndexedf);
+}
+
+static bool is_unwanted(GLenum capability)
+{
+    for (int i = 0; i < gl.unwanted_capability_count; i++)
+        if (gl.unwanted_capabilities[i] == capability) return true;
+    return false;
+}
+
+static void capabilities_are_asked_for_only_where_they_are_known(void **state)
+{
+    (void)state;
+    const GLenum depth_bounds_test = 0x8890, alpha_test = 0x0BC0;
+    fake = (struct fake_context){.version = "OpenGL ES 3.0"};
+    assert_int_equal(load(), EW_OK);
+    assert_true(is_unwanted(GL_DEPTH_TEST));
+    assert_false(is_unwanted(GL_SAMPLE_MASK));
+    assert_false(is_unwanted(GL_SAMPLE_SHADING));
+    assert_false(is_unwanted(GL_CLIP_DISTANCE0));
+    assert_false(is_unwanted(GL_COLOR_LOGIC_OP));
+    fake =
+        (struct fake_context){.version = "OpenGL ES 3.0", .extensions = {"GL_EXT_clip_cull_distance", "GL_OES_sample_shading"}};
+    assert_int_equal(load(), EW_OK);
+    assert_true(is_unwanted(GL_CLIP_DISTANCE0) && is_unwanted(GL_CLIP_DISTANCE7));
+    assert_true(is_unwanted(GL_SAMPLE_SHADING));
+    fake = (struct fake_context){.version = "OpenGL ES 3.1"};
+    assert_int_equal(load(), EW_OK);
+    assert_true(is_unwanted(GL_SAMPLE_MASK));
+
+    fake = (struct fake_context){.version = "3.3", .profile = GL_CONTEXT_CORE_PROFILE_BIT};
+    assert_int_equal(load(), EW_OK);
+    assert_true(is_unwanted(GL_CLIP_DISTANCE7));
+    assert_false(is_unwanted(depth_bounds_test));
+    assert_false(is_unwanted(alpha_test));
+    assert_false(is_unwanted(GL_SAMPLE_SHADING));
+    fake = (struct fake_context){.version = "3.3",
+                                 .profile = GL_CONTEXT_COMPATIBILITY_PROFILE_BIT,
+                                 .extensions = {"GL_EXT_depth_bounds_test", "GL_ARB_sample_shading"}};
+    assert_int_equal(load(), EW_OK);
+    assert_true(is_unwanted(depth_bounds_test));
+    assert_true(is_unwanted(alpha_test));
+    assert_true(is_unwanted(GL_SAMPLE_SHADING));
 }
 
 int main(void)
@@ -218,6 +267,7 @@ int main(void)
         cmocka_unit_test(a_loader_that_knows_nothing_is_an_error),
         cmocka_unit_test(functions_that_the_version_promises_are_needed),
         cmocka_unit_test(optional_functions_come_with_versions_and_extensions_only),
+        cmocka_unit_test(capabilities_are_asked_for_only_where_they_are_known),
     };
     return cmocka_run_group_tests_name("gl load", tests, NULL, NULL);
 }

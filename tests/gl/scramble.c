@@ -481,8 +481,6 @@ void host_scramble(test_host *host, unsigned long long seed, bool allow_deleted_
 state_objects host_objects(const test_host *host)
 {
     return (state_objects){
-        .framebuffers = host->framebuffers,
-        .framebuffer_count = COUNT(host->framebuffers),
         .vertex_arrays = host->vertex_arrays,
         .vertex_array_count = COUNT(host->vertex_arrays),
         .buffers = host->buffers,

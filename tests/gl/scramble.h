@@ -30,7 +30,7 @@ void host_create(test_host *host);
  * program in use is flagged for deletion only if `allow_deleted_program`. */
 void host_scramble(test_host *host, unsigned long long seed, bool allow_deleted_program);
 
-/* What belongs to a comparison of states. The arrays live as long as `host`. */
+/* The host's objects, for a comparison of states, but for its framebuffers. The arrays live as long as `host`. */
 state_objects host_objects(const test_host *host);
 
 /* Ends transform feedback and the queries. Returns how many primitives were captured since host_scramble. */

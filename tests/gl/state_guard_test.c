@@ -18,7 +18,7 @@ enum { WIDTH = 32, HEIGHT = 24 };
 
 /* As many that every capability is the only one enabled before a draw to every target. The effect takes fewer: its shaders are
  * slow to compile, anew for much of the state that changes. */
-enum { GUARD_SEEDS = 400, EFFECT_SEEDS = 100, LIFE_SEEDS = 10 };
+enum { GUARD_SEEDS = 400, EFFECT_SEEDS = 100, LIFE_SEEDS = 20 };
 
 static const struct {
     const char *name;
@@ -230,6 +230,17 @@ typedef struct test_outcome {
     GLuint captured;
 } test_outcome;
 
+/* Lets a target have one draw buffer or two. */
+static void scramble_draw_buffers(const test_target *target)
+{
+    const GLenum choices[2][2] = {{GL_COLOR_ATTACHMENT0, GL_NONE}, {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT0 + 1}};
+    GLint bound = 0;
+    gl.GetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
+    gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, target->framebuffers[SCRAMBLED]);
+    gl.DrawBuffers(2, choices[host_random(&host, 2)]);
+    gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, (GLuint)bound);
+}
+
 static test_outcome draw_scrambled(const test_subject *subject, const test_target *target, unsigned long long seed,
                                    host_wish *wish)
 {
@@ -242,7 +253,10 @@ static test_outcome draw_scrambled(const test_subject *subject, const test_targe
     host_scramble(&host, seed, has_pipelines());
     /* llvmpipe lets single samples of multisampled pixels out of the scissor's rectangle, now more of them, now fewer. */
     if (target->samples > 0) gl.Disable(GL_SCISSOR_TEST);
-    const state_objects objects = host_objects(&host);
+    scramble_draw_buffers(target);
+    state_objects objects = host_objects(&host);
+    objects.framebuffers = &target->framebuffers[SCRAMBLED];
+    objects.framebuffer_count = 1;
     state_take(&before, &objects);
     *wish = ask_wish();
     assert_int_equal(gl.GetError(), GL_NO_ERROR);
@@ -349,6 +363,19 @@ static void guarded_destroy(int context)
     gl.DeleteBuffers(1, &uniform_buffers[context]);
 }
 
+/* Not all rasterizers show what each of these does to a picture. */
+static void expect_capabilities_off(void)
+{
+    static const GLenum everywhere[] = {GL_CULL_FACE,    GL_DEPTH_TEST,     GL_RASTERIZER_DISCARD, GL_SAMPLE_ALPHA_TO_COVERAGE,
+                                        GL_STENCIL_TEST, GL_SAMPLE_COVERAGE};
+    static const GLenum desktop[] = {GL_CLIP_DISTANCE0,    GL_CLIP_DISTANCE7,      GL_COLOR_LOGIC_OP, GL_POLYGON_SMOOTH,
+                                     GL_PRIMITIVE_RESTART, GL_SAMPLE_ALPHA_TO_ONE, GL_SAMPLE_MASK};
+    for (size_t i = 0; i < sizeof everywhere / sizeof everywhere[0]; i++)
+        assert_false(gl.IsEnabled(everywhere[i]));
+    for (size_t i = 0; !gl.es && i < sizeof desktop / sizeof desktop[0]; i++)
+        assert_false(gl.IsEnabled(desktop[i]));
+}
+
 static void guarded_draw(int context, const test_target *target)
 {
     const ew_gl *guarded = &loaded[context];
@@ -364,7 +391,9 @@ static void guarded_draw(int context, const test_target *target)
     ew_gl_state saved;
     ew_error error = {.text = ""};
     if (ew_gl_save_state(guarded, &saved, &error) != EW_OK) fail_msg("%s", error.text);
+    gl.UseProgram(programs[context]); /* as compiling one for the first time may do */
     ew_gl_set_draw_state(guarded, &saved, &draw_state);
+    expect_capabilities_off();
     for (GLuint i = 0; i < EW_BINDING_COUNT; i++)
         gl.BindBufferBase(GL_UNIFORM_BUFFER, i, uniform_buffers[context]);
     gl.ActiveTexture(GL_TEXTURE0 + EW_GL_DEPTH_TEXTURE_UNIT);
@@ -373,6 +402,7 @@ static void guarded_draw(int context, const test_target *target)
     gl.UseProgram(programs[context]);
     gl.BindVertexArray(vertex_arrays[context]);
     gl.DrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+    gl.ActiveTexture(GL_TEXTURE0 + EW_GL_DEPTH_TEXTURE_UNIT + 1);
     ew_gl_restore_state(guarded, &saved);
 }
 
