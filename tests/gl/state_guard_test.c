@@ -18,7 +18,7 @@ enum { WIDTH = 32, HEIGHT = 24 };
 
 /* As many that every capability is the only one enabled before a draw to every target. The effect takes fewer: its shaders are
  * slow to compile, anew for much of the state that changes. */
-enum { GUARD_SEEDS = 400, EFFECT_SEEDS = 100, LIFE_SEEDS = 20 };
+enum { GUARD_SEEDS = 400, EFFECT_SEEDS = 60, LIFE_SEEDS = 10 };
 
 static const struct {
     const char *name;
@@ -423,15 +423,7 @@ static void effect_create(int context)
     const ew_effect_desc desc = {.get_proc_address = test_context_get_proc_address, .user = contexts[context]};
     const ew_point point = {.position = {0.1, 0.1, 0}, .coefficient = 0.3, .color = {1, 0.5, 0.2}};
     const ew_line line = {.position = {0, -0.5, 0}, .direction = {1, 0.2, 0.1}, .coefficient = 0.2, .color = {0.2, 0.5, 1}};
-    const ew_torus torus = {.axis = {0, 0.3, 1}, .radius = 0.8, .coefficient = 0.1, .color = {0.2, 1, 0.5}};
-    const double weights[3] = {1, 0.2, 0.6};
-    const ew_curve curve = {.polynomial = {{-1, 0, 0}, {2, 0.5, 0.1}, {0, 0.5, 0}},
-                            .domain = {0, 1},
-                            .weights = weights,
-                            .weight_count = 3,
-                            .coefficient = 0.2,
-                            .color = {1, 0.2, 0.2}};
-    const ew_sources_desc sources = {&point, 1, &line, 1, &torus, 1, &curve, 1, 1e-2};
+    const ew_sources_desc sources = {.points = &point, .point_count = 1, .lines = &line, .line_count = 1, .epsilon = 1e-2};
     ew_error error = {.text = ""};
     if (ew_create_effect(&desc, &effects[context], &error) != EW_OK) fail_msg("%s", error.text);
     if (ew_set_sources(effects[context], &sources, &error) != EW_OK) fail_msg("%s", error.text);
