@@ -3,8 +3,9 @@
  *
  * The integrand of a source has peaks as narrow as the core (closest approaches), kinks (the nearest point enters or leaves
  * an end of the arc, or a knot; the ray enters or leaves the core) and jumps (the nearest point leaps between the branches of
- * a weighted curve). All are looked for by sampling along the ray and narrowed down by bisection, and handed to QAGP as break
- * points, with further ones in geometric progression around every peak. What the search misses, QAGP's error estimate sees.
+ * a weighted curve). All are looked for by sampling along the ray and narrowed down by bisection, and become break points,
+ * with further ones in geometric progression around every peak. What the search misses, the error estimates of Gauss-Kronrod
+ * quadrature see.
  */
 #include "reference.h"
 
@@ -314,12 +315,17 @@ static void set_origin(integrand *f, double origin_s)
     f->origin_s = origin_s;
 }
 
+typedef struct panel {
+    double low, high;
+    double value, error;
+} panel;
+
 /* ---- The search for break points ------------------------------------------------------------------------------------------
  */
 
 struct reference_workspace {
-    gsl_integration_workspace *panels;
     gsl_root_fsolver *solver;
+    panel panels[MAX_PANELS];
     sample samples[MAX_SAMPLES];
     size_t sample_count;
     double peaks[MAX_PEAKS];
@@ -333,18 +339,16 @@ reference_workspace *reference_create_workspace(void)
     gsl_set_error_handler_off();
     reference_workspace *workspace = calloc(1, sizeof *workspace);
     if (!workspace) return NULL;
-    workspace->panels = gsl_integration_workspace_alloc(MAX_PANELS);
     workspace->solver = gsl_root_fsolver_alloc(gsl_root_fsolver_brent);
-    if (workspace->panels && workspace->solver) return workspace;
-    reference_destroy_workspace(workspace);
+    if (workspace->solver) return workspace;
+    free(workspace);
     return NULL;
 }
 
 void reference_destroy_workspace(reference_workspace *workspace)
 {
     if (!workspace) return;
-    if (workspace->panels) gsl_integration_workspace_free(workspace->panels);
-    if (workspace->solver) gsl_root_fsolver_free(workspace->solver);
+    gsl_root_fsolver_free(workspace->solver);
     free(workspace);
 }
 
@@ -527,17 +531,41 @@ static void find_break_points(reference_workspace *workspace, integrand *f, doub
 /* ---- The integral ---------------------------------------------------------------------------------------------------------
  */
 
+static panel integrate_panel(const gsl_function *function, double low, double high)
+{
+    panel panel = {.low = low, .high = high};
+    double absolute, variation;
+    gsl_integration_qk21(function, low, high, &panel.value, &panel.error, &absolute, &variation);
+    return panel;
+}
+
+/* QUADPACK's global strategy: bisect the panel with the largest error until the sum of the errors is small. QAGP does so too,
+ * but also extrapolates, which near-jumps (the nearest point rushing around a narrow bend) lead astray. */
 static reference_value integrate(reference_workspace *workspace, integrand *f, double end)
 {
     if (end <= 0 || f->source.coefficient == 0 || f->alpha == 0) return (reference_value){0};
     find_break_points(workspace, f, end);
     gsl_function function = {integrand_value, f};
-    reference_value value = {0, HUGE_VAL};
-    /* What the status says, the error bound says too. */
-    (void)gsl_integration_qagp(&function, workspace->break_points, workspace->break_point_count, 0, 1e-10, MAX_PANELS,
-                               workspace->panels, &value.luminance, &value.error);
-    value.error += 1e-13 * value.luminance; /* for the integrand's own rounding */
-    return value;
+    panel *panels = workspace->panels;
+    size_t count = workspace->break_point_count - 1;
+    for (size_t i = 0; i < count; i++)
+        panels[i] = integrate_panel(&function, workspace->break_points[i], workspace->break_points[i + 1]);
+    for (;;) {
+        reference_value sum = {0};
+        size_t worst = 0;
+        for (size_t i = 0; i < count; i++) {
+            sum.luminance += panels[i].value;
+            sum.error += panels[i].error;
+            if (panels[i].error > panels[worst].error) worst = i;
+        }
+        double low = panels[worst].low, high = panels[worst].high, middle = 0.5 * (low + high);
+        if (sum.error <= 1e-10 * sum.luminance || count == MAX_PANELS || !(low < middle && middle < high)) {
+            sum.error += 1e-13 * sum.luminance; /* for the integrand's own rounding */
+            return sum;
+        }
+        panels[worst] = integrate_panel(&function, low, middle);
+        panels[count++] = integrate_panel(&function, middle, high);
+    }
 }
 
 static integrand make_integrand(source_kind kind, const double position[3], const double axis[3], double coefficient,

@@ -1,6 +1,6 @@
 /*
  * The reference: the luminance of a field along one ray, in double precision, as accurate as is practical. It evaluates the
- * definition in energywave.h directly (distance to the nearest point, recursive B-spline basis) under GSL's adaptive
+ * definition in energywave.h directly (distance to the nearest point, recursive B-spline basis) under adaptive Gauss-Kronrod
  * quadrature, and shares neither code nor method with the library and its shaders.
  */
 #ifndef REFERENCE_H
