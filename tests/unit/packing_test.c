@@ -158,7 +158,6 @@ static void the_frame_block_counts_and_scales(void **state)
     (void)state;
     const double eye[3] = {0};
     ew_frame_desc frame = random_frame(eye);
-    frame.quality = EW_QUALITY_ERROR_1E_4;
     frame.simpson_divisions = 128;
     ew_point points[2] = {{{0}, 1, {0}}, {{0}, 1, {0}}};
     ew_curve curves[3] = {{.domain = {0, 1}}, {.domain = {0, 1}}, {.domain = {0, 1}}};
@@ -173,8 +172,25 @@ static void the_frame_block_counts_and_scales(void **state)
     check_close((double)block.decay.x, 0.7, float_error);
     check_close((double)block.decay.y, 1 / 0.7, float_error);
     check_close((double)block.decay.z, 0.01 / (frame.interval_end - frame.interval_start), 1e-9);
-    check_close((double)block.decay.w, 1e-4, 1e-11);
     ew_scene_destroy(&scene);
+}
+
+static void finer_qualities_allow_smaller_errors(void **state)
+{
+    (void)state;
+    const double eye[3] = {0};
+    const ew_quality qualities[] = {EW_QUALITY_ERROR_1E_2, EW_QUALITY_ERROR_1E_3, EW_QUALITY_ERROR_1E_4};
+    ew_frame_desc frame = random_frame(eye);
+    ew_sources_desc desc = {.epsilon = 1e-3};
+    float coarser = 1;
+    for (size_t i = 0; i < sizeof qualities / sizeof qualities[0]; ++i) {
+        frame.quality = qualities[i];
+        struct ew_frame_block block;
+        ew_scene scene = pack(&desc, &frame, &block);
+        assert_true(block.decay.w > 0 && block.decay.w < coarser);
+        coarser = block.decay.w;
+        ew_scene_destroy(&scene);
+    }
 }
 
 /* The frame of the arc's plane is orthonormal and right-handed. */
@@ -380,6 +396,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(points_lines_and_tori_come_to_ray_space),
         cmocka_unit_test(the_frame_block_counts_and_scales),
+        cmocka_unit_test(finer_qualities_allow_smaller_errors),
         cmocka_unit_test(arcs_come_to_ray_space_whatever_their_shape),
         cmocka_unit_test(an_arch_has_its_origin_at_the_vertex_and_a_straight_arc_on_itself),
         cmocka_unit_test(a_world_far_from_its_origin_is_packed_as_if_it_were_near),
