@@ -61,7 +61,7 @@ float ew_arc_weight(ew_arc arc, float tau)
 }
 
 // At each s the nearest point is the better of the two minima, clamped to the arc.
-float ew_reciprocal_difference(ew_arc arc, ew_passage passage, float s)
+float ew_reciprocal_difference(ew_arc arc, ew_passage passage, float s, out float weight_piece)
 {
     vec3 position = arc.start + s * arc.direction;
     vec2 equation = arc.equation_start + s * arc.equation_growth;
@@ -69,12 +69,18 @@ float ew_reciprocal_difference(ew_arc arc, ew_passage passage, float s)
     vec2 taus = clamp(ew_distance_minima(arc.cubic, arc.quadratic, equation.x, abs(equation.y), side), arc.first, arc.last);
     float distance_x = ew_arc_distance_squared(arc, position, taus.x);
     float distance_y = ew_arc_distance_squared(arc, position, taus.y);
-    float weight = ew_arc_weight(arc, distance_x <= distance_y ? taus.x : taus.y);
+    float tau = distance_x <= distance_y ? taus.x : taus.y;
+    float weight = ew_arc_weight(arc, tau);
+#ifdef EW_WEIGHTS
+    weight_piece = tau * arc.weights.y;
+#else
+    weight_piece = 0.0;
+#endif
     return ew_reciprocal_difference(passage, s, min(distance_x, distance_y), weight);
 }
 
 // Where the ray passes the point of the arc at `tau`; at an end of the arc, the distance from that end.
-ew_passage ew_passage_at(ew_arc arc, float tau)
+ew_passage ew_passage_at(ew_arc arc, float tau, bool is_end)
 {
     float slope_y = arc.slope_y + 2.0 * arc.bend * tau;
     vec3 difference = vec3(arc.slope_x * tau, (arc.slope_y + arc.bend * tau) * tau, 0.0) - arc.start;
@@ -82,14 +88,15 @@ ew_passage ew_passage_at(ew_arc arc, float tau)
     float s0 = dot(difference, arc.direction) / v2;
     vec3 across = difference - s0 * arc.direction;
     float k = v2;
-    if (tau > arc.first && tau < arc.last) {
+    bool is_touching = is_end || (tau > arc.first && tau < arc.last);
+    if (!is_end) {
         // The second derivative of d^2 / 2 along the ray, v2 - (slope . direction)^2 / curvature, without the difference.
         float bending = 2.0 * arc.bend * across.y;
         float slope2 = arc.slope_x * arc.slope_x + slope_y * slope_y;
         float sine2 = ew_square(arc.slope_x * arc.direction.y - slope_y * arc.direction.x) + slope2 * ew_square(arc.direction.z);
         k = clamp((sine2 + v2 * bending) / max(slope2 + bending, 1e-30), 1e-7 * v2, v2);
     }
-    return ew_passage(ew_length_squared(across), k, s0, ew_arc_weight(arc, tau));
+    return ew_passage(is_touching, ew_length_squared(across), k, s0, ew_arc_weight(arc, tau));
 }
 
 // The minima over the whole arc of its distance from the ray: the same equation as for a point, in projection along the ray.
@@ -169,7 +176,7 @@ float ew_integrate_curve(ew_segment segment, ew_curve_block curve)
         // Of the closest approaches, the nearer one of those on this arm.
         vec2 remoteness = abs(passings - middle) + vec2(closest.x * side < 0.0 ? 1e6 : 0.0, closest.y * side < 0.0 ? 1e6 : 0.0);
         float tau = is_first ? arc.first : is_last ? arc.last : remoteness.y < remoteness.x ? closest.y : closest.x;
-        sum += ew_integrate_interval(arc, ew_passage_at(arc, tau), from, to, sum);
+        sum += ew_integrate_interval(arc, ew_passage_at(arc, tau, is_first || is_last), from, to, sum);
         from = to;
         if (from >= segment.end) break;
     }

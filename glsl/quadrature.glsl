@@ -68,6 +68,7 @@ float ew_integrate_line_distance(float b2, float k, float s0, float from, float 
 // Where a ray passes a source closely: the squared distance b2 + k (s - s0)^2 that agrees with the source's there in value, slope
 // and curvature, and the source's weight.
 struct ew_passage {
+    bool is_touching; // it does agree; else it is just another part of the source
     float b2;
     float k;
     float s0;

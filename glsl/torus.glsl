@@ -18,8 +18,9 @@ float ew_ring_distance_squared(ew_ring ring, float x)
     return ew_square(from_axis - ring.radius) + ew_square(ring.height + ring.climb * x);
 }
 
-float ew_reciprocal_difference(ew_ring ring, ew_passage passage, float s)
+float ew_reciprocal_difference(ew_ring ring, ew_passage passage, float s, out float weight_piece)
 {
+    weight_piece = 0.0;
     return ew_reciprocal_difference(passage, s, ew_ring_distance_squared(ring, s - ring.s_axis), 1.0);
 }
 
@@ -75,7 +76,7 @@ float ew_integrate_torus(ew_segment segment, ew_torus_block torus)
     bool is_near = s_axis > 0.0;
     for (int half_circle = 0; half_circle < 2; ++half_circle) {
         float passing = is_near ? x_near : x_far;
-        ew_passage passage = ew_passage(ew_ring_distance_squared(ring, passing), is_near ? k_near : k_far, ring.s_axis + passing, 1.0);
+        ew_passage passage = ew_passage(true, ew_ring_distance_squared(ring, passing), is_near ? k_near : k_far, ring.s_axis + passing, 1.0);
         sum += ew_integrate_interval(ring, passage, from, to, sum);
         if (to >= segment.end) break;
         from = to;
