@@ -315,17 +315,17 @@ static void set_origin(integrand *f, double origin_s)
     f->origin_s = origin_s;
 }
 
-typedef struct panel {
+typedef struct quadrature_panel {
     double low, high;
     double value, error;
-} panel;
+} quadrature_panel;
 
 /* ---- The search for break points ------------------------------------------------------------------------------------------
  */
 
 struct reference_workspace {
     gsl_root_fsolver *solver;
-    panel panels[MAX_PANELS];
+    quadrature_panel panels[MAX_PANELS];
     sample samples[MAX_SAMPLES];
     size_t sample_count;
     double peaks[MAX_PEAKS];
@@ -531,9 +531,9 @@ static void find_break_points(reference_workspace *workspace, integrand *f, doub
 /* ---- The integral ---------------------------------------------------------------------------------------------------------
  */
 
-static panel integrate_panel(const gsl_function *function, double low, double high)
+static quadrature_panel integrate_panel(const gsl_function *function, double low, double high)
 {
-    panel panel = {.low = low, .high = high};
+    quadrature_panel panel = {.low = low, .high = high};
     double absolute, variation;
     gsl_integration_qk21(function, low, high, &panel.value, &panel.error, &absolute, &variation);
     return panel;
@@ -546,7 +546,7 @@ static reference_value integrate(reference_workspace *workspace, integrand *f, d
     if (end <= 0 || f->source.coefficient == 0 || f->alpha == 0) return (reference_value){0};
     find_break_points(workspace, f, end);
     gsl_function function = {integrand_value, f};
-    panel *panels = workspace->panels;
+    quadrature_panel *panels = workspace->panels;
     size_t count = workspace->break_point_count - 1;
     for (size_t i = 0; i < count; i++)
         panels[i] = integrate_panel(&function, workspace->break_points[i], workspace->break_points[i + 1]);

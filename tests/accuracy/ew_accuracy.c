@@ -1,0 +1,311 @@
+/*
+ * ew-accuracy: the library's luminance of scene files against the double-precision reference.
+ */
+#include "comparison.h"
+#include "context.h"
+#include "picture.h"
+#include "scene_rays.h"
+
+#include <getopt.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+enum { EXIT_WRONG = 1, EXIT_BAD_INPUT = 2, EXIT_NO_CONTEXT = 77 };
+enum { MAX_INTEGRATORS = 16 };
+
+static const char help[] =
+    "Usage: ew-accuracy SCENE.json... [option]...\n"
+    "Compares the luminance that the library draws with a reference in double precision.\n"
+    "\n"
+    "      --integrators LIST  comma-separated: adaptive:1e-2, adaptive:1e-3 (default), adaptive:1e-4, simpson:N\n"
+    "      --backend NAME      egl, osmesa or auto (default)\n"
+    "      --size WxH          in pixels (default 512x512)\n"
+    "      --pixels N          how many pixels to compare (default: 4000, fewer for many sources)\n"
+    "      --full              compare all pixels\n"
+    "      --csv FILE          append a line for each scene and integrator; a new file gets a header\n"
+    "      --heatmap FILE.png  where the errors of the last scene and integrator are\n"
+    "      --check             fail unless every adaptive integrator keeps the error that it is named by (and\n"
+    "                          adaptive:1e-3 a tenth of it on 99 % of the pixels), no pixel is negative, infinite or no\n"
+    "                          number, the reference vouches for 99 % of the pixels, and the depth is the scene's\n"
+    "\n"
+    "Exit status: 0; 1 if a check failed; 2 for bad input; 77 if there is no such context.\n";
+
+typedef struct named_integrator {
+    char name[24];
+    render_settings settings;
+    double largest_error; /* that it promises; infinite for Simpson's rule */
+    double percentile_99;
+} named_integrator;
+
+typedef struct command_line {
+    named_integrator integrators[MAX_INTEGRATORS];
+    size_t integrator_count;
+    context_backend backend;
+    int width, height;
+    size_t pixels; /* 0 for all */
+    bool pixels_given;
+    const char *csv;
+    const char *heatmap;
+    bool check;
+} command_line;
+
+/* ---- The command line -----------------------------------------------------------------------------------------------------
+ */
+
+static bool read_integrator(const char *name, named_integrator *result)
+{
+    static const named_integrator adaptive[] = {
+        {"adaptive:1e-2", {.quality = EW_QUALITY_ERROR_1E_2}, 1e-2, HUGE_VAL},
+        {"adaptive:1e-3", {.quality = EW_QUALITY_ERROR_1E_3}, 1e-3, 1e-4},
+        {"adaptive:1e-4", {.quality = EW_QUALITY_ERROR_1E_4}, 1e-4, HUGE_VAL},
+    };
+    for (size_t i = 0; i < sizeof adaptive / sizeof *adaptive; i++)
+        if (strcmp(name, adaptive[i].name) == 0) {
+            *result = adaptive[i];
+            result->settings.integrator = EW_INTEGRATOR_ADAPTIVE;
+            return true;
+        }
+    int divisions = 0, end = 0;
+    if (sscanf(name, "simpson:%4d%n", &divisions, &end) != 1 || name[end] != '\0') return false;
+    if (divisions < 2 || divisions > EW_MAX_SIMPSON_DIVISIONS || divisions % 2 != 0) return false;
+    *result = (named_integrator){.settings = {.integrator = EW_INTEGRATOR_SIMPSON, .simpson_divisions = divisions},
+                                 .largest_error = HUGE_VAL,
+                                 .percentile_99 = HUGE_VAL};
+    snprintf(result->name, sizeof result->name, "%s", name);
+    return true;
+}
+
+static bool read_integrators(char *list, command_line *options)
+{
+    options->integrator_count = 0;
+    for (char *name = strtok(list, ","); name; name = strtok(NULL, ","))
+        if (options->integrator_count == MAX_INTEGRATORS ||
+            !read_integrator(name, &options->integrators[options->integrator_count++]))
+            return false;
+    return options->integrator_count > 0;
+}
+
+static bool read_size(const char *text, command_line *options)
+{
+    int end = 0;
+    return sscanf(text, "%4dx%4d%n", &options->width, &options->height, &end) == 2 && text[end] == '\0' && options->width > 0 &&
+           options->width <= RENDER_MAX_SIDE && options->height > 0 && options->height <= RENDER_MAX_SIDE;
+}
+
+static bool read_pixels(const char *text, command_line *options)
+{
+    char *end;
+    unsigned long pixels = strtoul(text, &end, 10);
+    options->pixels = pixels;
+    options->pixels_given = true;
+    return *end == '\0' && pixels > 0;
+}
+
+static bool read_backend(const char *text, context_backend *backend)
+{
+    for (int i = 0; context_backend_names[i]; i++)
+        if (strcmp(text, context_backend_names[i]) == 0) {
+            *backend = (context_backend)i;
+            return true;
+        }
+    return false;
+}
+
+enum {
+    OPTION_INTEGRATORS = 256,
+    OPTION_BACKEND,
+    OPTION_SIZE,
+    OPTION_PIXELS,
+    OPTION_FULL,
+    OPTION_CSV,
+    OPTION_HEATMAP,
+    OPTION_CHECK,
+    OPTION_HELP
+};
+
+static const struct option long_options[] = {{"integrators", required_argument, NULL, OPTION_INTEGRATORS},
+                                             {"backend", required_argument, NULL, OPTION_BACKEND},
+                                             {"size", required_argument, NULL, OPTION_SIZE},
+                                             {"pixels", required_argument, NULL, OPTION_PIXELS},
+                                             {"full", no_argument, NULL, OPTION_FULL},
+                                             {"csv", required_argument, NULL, OPTION_CSV},
+                                             {"heatmap", required_argument, NULL, OPTION_HEATMAP},
+                                             {"check", no_argument, NULL, OPTION_CHECK},
+                                             {"help", no_argument, NULL, OPTION_HELP},
+                                             {NULL, 0, NULL, 0}};
+
+/* Returns false for bad input; getopt has said why where it is an option that does not exist. */
+static bool read_options(int argc, char **argv, command_line *options)
+{
+    int option;
+    while ((option = getopt_long(argc, argv, "", long_options, NULL)) != -1) {
+        bool ok = true;
+        switch (option) {
+        case OPTION_INTEGRATORS:
+            ok = read_integrators(optarg, options);
+            break;
+        case OPTION_BACKEND:
+            ok = read_backend(optarg, &options->backend);
+            break;
+        case OPTION_SIZE:
+            ok = read_size(optarg, options);
+            break;
+        case OPTION_PIXELS:
+            ok = read_pixels(optarg, options);
+            break;
+        case OPTION_FULL:
+            options->pixels = 0;
+            options->pixels_given = true;
+            break;
+        case OPTION_CSV:
+            options->csv = optarg;
+            break;
+        case OPTION_HEATMAP:
+            options->heatmap = optarg;
+            break;
+        case OPTION_CHECK:
+            options->check = true;
+            break;
+        case OPTION_HELP:
+            fputs(help, stdout);
+            exit(EXIT_SUCCESS);
+        default:
+            return false;
+        }
+        if (!ok) {
+            fprintf(stderr, "ew-accuracy: \"%s\" is not what the option takes; see ew-accuracy --help\n", optarg);
+            return false;
+        }
+    }
+    if (optind < argc) return true;
+    fprintf(stderr, "ew-accuracy: name a scene file\n");
+    return false;
+}
+
+/* ---- Scenes ---------------------------------------------------------------------------------------------------------------
+ */
+
+static size_t source_count(const ew_scene *scene)
+{
+    const ew_sources_desc *sources = &scene->sources;
+    return sources->point_count + sources->line_count + sources->torus_count + sources->curve_count;
+}
+
+/* As many as take the reference about a second. */
+static size_t default_pixels(const ew_scene *scene)
+{
+    size_t sources = source_count(scene), pixels = 40000 / (sources + 1);
+    return pixels > 4000 ? 4000 : pixels < 400 ? 400 : pixels;
+}
+
+static bool write_csv(const command_line *options, const char *scene, const named_integrator *integrator, const char *renderer,
+                      const true_pixels *truth, const picture_comparison *comparison)
+{
+    FILE *file = fopen(options->csv, "a");
+    if (!file) return false;
+    if (ftell(file) == 0)
+        fprintf(file, "scene,integrator,size,renderer,pixels,max_rel_error,p99_rel_error,worst_x,worst_y,worst_luminance,"
+                      "worst_truth,bad_pixels,unreliable_pixels\n");
+    fprintf(file, "%s,%s,%dx%d,\"%s\",%zu,%.3g,%.3g,%d,%d,%.9g,%.9g,%zu,%zu\n", scene, integrator->name, options->width,
+            options->height, renderer, truth->count, comparison->largest_error, comparison->percentile_99, comparison->worst_x,
+            comparison->worst_y, comparison->worst_luminance, comparison->worst_truth, comparison->bad_count,
+            truth->unreliable_count);
+    return fclose(file) == 0;
+}
+
+static bool report(const command_line *options, const char *path, const named_integrator *integrator, const char *renderer,
+                   const true_pixels *truth, const drawn_picture *picture, int *status, char *message, size_t size)
+{
+    picture_comparison comparison;
+    if (!comparison_make(truth, picture, &comparison)) {
+        snprintf(message, size, "%s: memory is exhausted", path);
+        return false;
+    }
+    const char *name = strrchr(path, '/') ? strrchr(path, '/') + 1 : path;
+    bool ok = comparison.largest_error <= integrator->largest_error && comparison.percentile_99 <= integrator->percentile_99 &&
+              comparison.bad_count == 0;
+    printf("%-40s %-13s max %.1e at (%d, %d): %.6g for %.6g; 99 %%: %.1e", name, integrator->name, comparison.largest_error,
+           comparison.worst_x, comparison.worst_y, comparison.worst_luminance, comparison.worst_truth,
+           comparison.percentile_99);
+    if (comparison.bad_count) printf("; %zu pixels are negative, infinite or no number", comparison.bad_count);
+    if (options->check && !ok) printf("  WRONG");
+    puts("");
+    if (options->check && !ok) *status = EXIT_WRONG;
+    if (options->csv && !write_csv(options, name, integrator, renderer, truth, &comparison)) {
+        snprintf(message, size, "%s: cannot be written", options->csv);
+        return false;
+    }
+    return !options->heatmap || heatmap_write(options->heatmap, truth, picture, message, size);
+}
+
+/* Compares one scene; sets *status if a check fails. On failure returns false, with a message. */
+static bool compare_scene(const command_line *options, gl_context *context, const char *path, int *status, char *message,
+                          size_t size)
+{
+    ew_scene scene;
+    scene_rays rays;
+    if (!scene_load(path, &scene, message, size)) return false;
+    if (!scene_rays_create(&scene, options->width, options->height, &rays)) {
+        snprintf(message, size, "%s: memory is exhausted", path);
+        scene_free(&scene);
+        return false;
+    }
+    true_pixels truth = {0};
+    bool ok = true;
+    for (size_t i = 0; ok && i < options->integrator_count; i++) {
+        char reason[300];
+        drawn_picture picture;
+        render_settings settings = options->integrators[i].settings;
+        settings.width = options->width;
+        settings.height = options->height;
+        ok = picture_draw(context, &scene, &settings, &picture, reason, sizeof reason);
+        if (!ok) {
+            snprintf(message, size, "%s: %s", path, reason);
+            break;
+        }
+        if (i == 0) {
+            size_t pixels = options->pixels_given ? options->pixels : default_pixels(&scene);
+            ok = true_pixels_compute(&rays, &picture, pixels, (int)sysconf(_SC_NPROCESSORS_ONLN), &truth);
+            if (!ok) snprintf(message, size, "%s: memory is exhausted", path);
+            size_t misses = ok && scene.opaque_count ? depth_misses(&rays, &truth, &picture) : 0;
+            if (misses) printf("%s: the depth of %zu pixels is not the scene's\n", path, misses);
+            if (truth.unreliable_count)
+                printf("%s: the reference does not vouch for %zu of %zu pixels\n", path, truth.unreliable_count, truth.count);
+            if (options->check && (misses || truth.unreliable_count * 100 > truth.count)) *status = EXIT_WRONG;
+        }
+        ok = ok && report(options, path, &options->integrators[i], context_description(context), &truth, &picture, status,
+                          message, size);
+        picture_free(&picture);
+    }
+    true_pixels_free(&truth);
+    scene_rays_free(&rays);
+    scene_free(&scene);
+    return ok;
+}
+
+int main(int argc, char **argv)
+{
+    command_line options = {.integrator_count = 1, .width = 512, .height = 512};
+    char message[600];
+    /* Mesa's EGL would add lines of its own to the one that says why there is no context. */
+    setenv("EGL_LOG_LEVEL", "fatal", 0);
+    read_integrator("adaptive:1e-3", &options.integrators[0]);
+    if (!read_options(argc, argv, &options)) return EXIT_BAD_INPUT;
+    gl_context *context = context_create(options.backend, message, sizeof message);
+    if (!context) {
+        fprintf(stderr, "ew-accuracy: %s\n", message);
+        return EXIT_NO_CONTEXT;
+    }
+    puts(context_description(context));
+    int status = EXIT_SUCCESS;
+    for (int i = optind; i < argc; i++)
+        if (!compare_scene(&options, context, argv[i], &status, message, sizeof message)) {
+            fprintf(stderr, "ew-accuracy: %s\n", message);
+            status = EXIT_BAD_INPUT;
+        }
+    context_destroy(context);
+    return status;
+}

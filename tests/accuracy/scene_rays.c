@@ -1,0 +1,127 @@
+/* A scene's pixels as rays: see scene_rays.h. */
+#include "scene_rays.h"
+#include "vector.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* A copy that may be written to; `count` may be 0. */
+static void *copy_list(const void *list, size_t count, size_t size)
+{
+    void *copy = malloc(count * size + 1);
+    if (copy && count > 0) memcpy(copy, list, count * size);
+    return copy;
+}
+
+bool scene_rays_create(const ew_scene *scene, int width, int height, scene_rays *rays)
+{
+    const ew_sources_desc *sources = &scene->sources;
+    *rays = (scene_rays){
+        .camera = scene->camera,
+        .interval_start = scene->interval_start,
+        .interval_end = scene->interval_end,
+        .decay_alpha = scene->decay_alpha,
+        .decay_beta = scene->decay_beta,
+        .width = width,
+        .height = height,
+    };
+    const double *eye = scene->camera.eye;
+    vector_subtract(scene->camera.target, eye, rays->forward);
+    vector_normalize(rays->forward, rays->forward);
+    vector_cross(rays->forward, scene->camera.up, rays->right);
+    vector_normalize(rays->right, rays->right);
+    vector_cross(rays->right, rays->forward, rays->up);
+
+    ew_point *points = copy_list(sources->points, sources->point_count, sizeof *points);
+    ew_line *lines = copy_list(sources->lines, sources->line_count, sizeof *lines);
+    ew_torus *tori = copy_list(sources->tori, sources->torus_count, sizeof *tori);
+    ew_curve *curves = copy_list(sources->curves, sources->curve_count, sizeof *curves);
+    rays->sources = *sources;
+    rays->sources.points = points;
+    rays->sources.lines = lines;
+    rays->sources.tori = tori;
+    rays->sources.curves = curves;
+    if (!points || !lines || !tori || !curves || !opaque_make_mesh(scene, &rays->mesh)) {
+        scene_rays_free(rays);
+        return false;
+    }
+    for (size_t i = 0; i < sources->point_count; i++)
+        vector_subtract(points[i].position, eye, points[i].position);
+    for (size_t i = 0; i < sources->line_count; i++)
+        vector_subtract(lines[i].position, eye, lines[i].position);
+    for (size_t i = 0; i < sources->torus_count; i++)
+        vector_subtract(tori[i].center, eye, tori[i].center);
+    for (size_t i = 0; i < sources->curve_count; i++)
+        vector_subtract(curves[i].polynomial[0], eye, curves[i].polynomial[0]);
+    for (size_t i = 0; i < rays->mesh.vertex_count; i++)
+        vector_subtract(rays->mesh.vertices[i].position, eye, rays->mesh.vertices[i].position);
+    return true;
+}
+
+void scene_rays_free(scene_rays *rays)
+{
+    /* The library's lists are lists of constants; these are copies. */
+    free((ew_point *)rays->sources.points);
+    free((ew_line *)rays->sources.lines);
+    free((ew_torus *)rays->sources.tori);
+    free((ew_curve *)rays->sources.curves);
+    opaque_free_mesh(&rays->mesh);
+}
+
+/* The ray's points are origin + z direction, z being the view depth. */
+static void view_ray(const scene_rays *rays, double x, double y, double origin[3], double direction[3])
+{
+    double half_height = rays->camera.orthographic ? rays->camera.height / 2 : tan(rays->camera.fov_y_degrees * M_PI / 360);
+    double u = (2 * x - rays->width) / rays->height * half_height, v = (2 * y / rays->height - 1) * half_height;
+    for (int i = 0; i < 3; i++) {
+        double across = u * rays->right[i] + v * rays->up[i];
+        origin[i] = rays->camera.orthographic ? across : 0;
+        direction[i] = rays->forward[i] + (rays->camera.orthographic ? 0 : across);
+    }
+}
+
+reference_ray scene_rays_ray(const scene_rays *rays, double x, double y, double opaque_depth)
+{
+    double origin[3], direction[3], length = rays->interval_end - rays->interval_start;
+    view_ray(rays, x, y, origin, direction);
+    reference_ray ray = {
+        .s_max = fmin(1, fmax(0, (opaque_depth - rays->interval_start) / length)),
+        .decay_alpha = rays->decay_alpha,
+        .decay_beta = rays->decay_beta,
+    };
+    vector_add_scaled(origin, rays->interval_start, direction, ray.start);
+    vector_add_scaled(origin, rays->interval_end, direction, ray.end);
+    return ray;
+}
+
+double scene_rays_stored_depth(const scene_rays *rays, double stored)
+{
+    double near_depth = rays->camera.near_depth, far_depth = rays->camera.far_depth;
+    if (rays->camera.orthographic) return near_depth + stored * (far_depth - near_depth);
+    return 1 / ((1 - stored) / near_depth + stored / far_depth);
+}
+
+double scene_rays_cast(const scene_rays *rays, double x, double y)
+{
+    double origin[3], direction[3], nearest = HUGE_VAL;
+    view_ray(rays, x, y, origin, direction);
+    for (size_t i = 0; i < rays->mesh.triangle_count; i++) {
+        const unsigned *corners = rays->mesh.triangles[i];
+        const double *a = rays->mesh.vertices[corners[0]].position;
+        double ab[3], ac[3], from_a[3], p[3], q[3];
+        vector_subtract(rays->mesh.vertices[corners[1]].position, a, ab);
+        vector_subtract(rays->mesh.vertices[corners[2]].position, a, ac);
+        vector_subtract(origin, a, from_a);
+        vector_cross(direction, ac, p);
+        vector_cross(from_a, ab, q);
+        double determinant = vector_dot(ab, p);
+        if (determinant == 0) continue;
+        double u = vector_dot(from_a, p) / determinant, v = vector_dot(direction, q) / determinant;
+        double depth = vector_dot(ac, q) / determinant;
+        if (u >= 0 && v >= 0 && u + v <= 1 && depth >= rays->camera.near_depth && depth <= rays->camera.far_depth &&
+            depth < nearest)
+            nearest = depth;
+    }
+    return nearest;
+}

@@ -1,0 +1,39 @@
+/*
+ * A scene's pixels as rays for the reference: from the scene's camera alone, in double precision, with nothing of the
+ * library's or the demo's matrices. Places are relative to the eye, in the world's directions, so that a world far from its
+ * origin costs no digits.
+ */
+#ifndef SCENE_RAYS_H
+#define SCENE_RAYS_H
+
+#include "opaque.h"
+#include "reference.h"
+#include "scene_file.h"
+
+#include <stdbool.h>
+
+typedef struct scene_rays {
+    ew_scene_camera camera;
+    double right[3], up[3], forward[3]; /* unit, in the world */
+    double interval_start, interval_end;
+    double decay_alpha, decay_beta;
+    int width, height;
+    ew_sources_desc sources; /* relative to the eye */
+    opaque_mesh mesh;        /* the scene's opaque triangles, relative to the eye */
+} scene_rays;
+
+/* Returns false, and nothing to free, where memory is exhausted. */
+bool scene_rays_create(const ew_scene *scene, int width, int height, scene_rays *rays);
+void scene_rays_free(scene_rays *rays);
+
+/* The ray through (x, y) in pixels from the lower left corner (pixel centres are at halves), up to where it meets what lies
+ * at the view depth `opaque_depth`, which may be HUGE_VAL. */
+reference_ray scene_rays_ray(const scene_rays *rays, double x, double y, double opaque_depth);
+
+/* The view depth that a value of the depth buffer stands for. A cleared buffer's 1 is the far plane. */
+double scene_rays_stored_depth(const scene_rays *rays, double stored);
+
+/* The view depth of the nearest opaque triangle at (x, y) between the near and the far plane; HUGE_VAL where there is none. */
+double scene_rays_cast(const scene_rays *rays, double x, double y);
+
+#endif
