@@ -79,6 +79,19 @@ float ew_reciprocal_difference(ew_arc arc, ew_passage passage, float s, out floa
     return ew_reciprocal_difference(passage, s, min(distance_x, distance_y), weight);
 }
 
+#ifdef EW_WEIGHTS
+// The s at which the nearest point, on its way from one weight piece to another, comes to the first knot: equation (12) is linear
+// in s. (Pieces count from tau = 0.)
+float ew_next_knot(ew_arc arc, float from_piece, float to_piece)
+{
+    float start = arc.first * arc.weights.y;
+    float knot = to_piece > from_piece ? floor(from_piece - start) + 1.0 : ceil(from_piece - start) - 1.0;
+    float tau = arc.first + knot / max(arc.weights.y, 1.0);
+    float left = ((arc.cubic * tau + arc.quadratic) * tau + arc.equation_start.x) * tau - arc.equation_start.y;
+    return left / (arc.equation_growth.y - arc.equation_growth.x * tau);
+}
+#endif
+
 // Where the ray passes the point of the arc at `tau`; at an end of the arc, the distance from that end.
 ew_passage ew_passage_at(ew_arc arc, float tau, bool is_end)
 {
@@ -121,7 +134,7 @@ vec2 ew_closest_approaches(ew_arc arc)
     return clamp(shift + ew_distance_minima(cubic, quadratic, linear, abs(constant), side), arc.first, arc.last);
 }
 
-float ew_integrate_interval(ew_arc shape, ew_passage passage, float from, float to, float so_far);
+float ew_integrate_interval(ew_arc shape, ew_passage passage, float from, float to, float probe, float so_far);
 
 float ew_integrate_curve(ew_segment segment, ew_curve_block curve)
 {
@@ -159,14 +172,23 @@ float ew_integrate_curve(ew_segment segment, ew_curve_block curve)
     float jump = -arc.equation_start.y / arc.equation_growth.y;
     if (!(arc.equation_start.x + jump * arc.equation_growth.x < 0.0)) jump = 0.5 * (passings.x + passings.y);
 
+    // Where one end becomes nearer than the other, if the nearest point is at an end there.
+    vec2 ends_y = (arc.slope_y + arc.bend * ends) * ends;
+    vec2 chord = vec2(arc.slope_x * (ends.y - ends.x), ends_y.y - ends_y.x);
+    vec2 chord_middle = 0.5 * vec2(arc.slope_x * (ends.x + ends.y), ends_y.x + ends_y.y);
+    float bisector = dot(chord, chord_middle - arc.start.xy) / dot(chord, arc.direction.xy);
+    vec2 bisector_excess = excess_start + bisector * excess_growth;
+    if (!(bisector_excess.x > 0.0 && bisector_excess.y < 0.0)) bisector = -1.0;
+
     float sum = 0.0;
     float from = 0.0;
-    for (int interval = 0; interval < 4; ++interval) {
+    for (int interval = 0; interval < 5; ++interval) {
         float margin = from + 1e-6;
         float to = segment.end;
         if (planes.x > margin) to = min(to, planes.x);
         if (planes.y > margin) to = min(to, planes.y);
         if (jump > margin) to = min(to, jump);
+        if (bisector > margin) to = min(to, bisector);
 
         float middle = 0.5 * (from + to);
         float side = arc.equation_start.y + middle * arc.equation_growth.y < 0.0 ? -1.0 : 1.0;
@@ -176,7 +198,11 @@ float ew_integrate_curve(ew_segment segment, ew_curve_block curve)
         // Of the closest approaches, the nearer one of those on this arm.
         vec2 remoteness = abs(passings - middle) + vec2(closest.x * side < 0.0 ? 1e6 : 0.0, closest.y * side < 0.0 ? 1e6 : 0.0);
         float tau = is_first ? arc.first : is_last ? arc.last : remoteness.y < remoteness.x ? closest.y : closest.x;
-        sum += ew_integrate_interval(arc, ew_passage_at(arc, tau, is_first || is_last), from, to, sum);
+        bool is_end = is_first || is_last;
+        float probe = -1.0;
+        if (is_end) probe = remoteness.x < remoteness.y ? passings.x : passings.y;
+        if (is_end) probe = probe > from && probe < to ? probe : middle;
+        sum += ew_integrate_interval(arc, ew_passage_at(arc, tau, is_end), from, to, probe, sum);
         from = to;
         if (from >= segment.end) break;
     }

@@ -5,13 +5,15 @@
 // the peak and all of the integral that matters, and the smooth rest by Gauss quadrature in v = 1 / (s + beta), to either side
 // of the passage. A panel is halved until its three values lie on a line, up to `tolerance` times the integral. Next to the
 // passage the rest starts at 0, and a Gauss-Jacobi rule for x f(x) is exact for two powers more.
-float ew_integrate_interval(EW_SHAPE shape, ew_passage passage, float from, float to, float so_far)
+// Where one point of the source is taken to be nearest all along, `probe` is a place at which that is least certain, and it is
+// looked at there and at the interval's ends; else it is negative.
+float ew_integrate_interval(EW_SHAPE shape, ew_passage passage, float from, float to, float probe, float so_far)
 {
     float beta = ew_frame.decay.x;
     float tolerance = ew_frame.decay.w;
     float reciprocal = ew_integrate_line_distance(passage.b2, passage.k, passage.s0, from, to);
     float sum = passage.weight * reciprocal;
-    float allowance = tolerance * (so_far + max(passage.weight, shape.mean_weight) * reciprocal);
+    float allowance = tolerance * (so_far + max(passage.weight, 0.02 * shape.mean_weight) * reciprocal);
     bool is_inside = passage.is_touching && passage.s0 > from && passage.s0 < to;
     float v_center = 1.0 / (clamp(passage.s0, from, to) + beta);
     float v_end = 1.0 / (from + beta);
@@ -20,21 +22,30 @@ float ew_integrate_interval(EW_SHAPE shape, ew_passage passage, float from, floa
     float v = v_center;
     float v_next = v_end;
     bool starts_at_zero = is_inside;
+    bool is_probing = probe >= 0.0;
     for (int panel = 0; panel < EW_MAX_PANELS; ++panel) {
         float width = v_next - v;
-        vec3 nodes = starts_at_zero ? vec3(0.21234054, 0.59053314, 0.91141204) : vec3(0.11270167, 0.5, 0.88729833);
-        vec3 weights = starts_at_zero ? vec3(0.32884432, 0.38819347, 0.22046221) : vec3(0.27777778, 0.44444444, 0.27777778);
-        vec3 at = v + width * nodes;
-        vec3 place;
-        vec3 rest = vec3(ew_reciprocal_difference(shape, passage, 1.0 / at.x - beta, place.x),
-                         ew_reciprocal_difference(shape, passage, 1.0 / at.y - beta, place.y),
-                         ew_reciprocal_difference(shape, passage, 1.0 / at.z - beta, place.z));
-        // The second difference of rest, or of rest / x.
-        float bend = dot(rest, starts_at_zero ? vec3(4.3232, -3.3868, 1.1872) : vec3(1.0, -2.0, 1.0));
+        vec4 nodes = starts_at_zero ? vec4(0.13975986, 0.41640957, 0.72315699, 0.94289580)
+                                    : vec4(0.06943184, 0.33000948, 0.66999052, 0.93056816);
+        vec4 weights = starts_at_zero ? vec4(0.22310390, 0.31182653, 0.28135601, 0.14371356)
+                                      : vec4(0.17392742, 0.32607258, 0.32607258, 0.17392742);
+        // The third divided difference of rest, or of rest / x, over 32: how far a cubic would be from all parabolas.
+        vec4 differences = starts_at_zero ? vec4(-1.7249797, 1.6796979, -1.0989184, 0.3567003)
+                                          : vec4(-0.2318919, 0.5873578, -0.5873578, 0.2318919);
+        vec4 at = v + width * nodes;
+        if (is_probing) at = vec4(v + 0.5 * width, v + 0.8 * width, clamp(1.0 / (probe + beta), min(v, v_next), max(v, v_next)), v_next);
+        vec4 piece;
+        vec4 rest = vec4(ew_reciprocal_difference(shape, passage, 1.0 / at.x - beta, piece.x),
+                         ew_reciprocal_difference(shape, passage, 1.0 / at.y - beta, piece.y),
+                         ew_reciprocal_difference(shape, passage, 1.0 / at.z - beta, piece.z),
+                         ew_reciprocal_difference(shape, passage, 1.0 / at.w - beta, piece.w));
         bool is_last_try = panel > EW_MAX_PANELS - 6;
-        // Weights may wave inside of a panel, or jump; three values do not see that. But a panel may be too short to matter.
-        bool is_fine = abs(bend * width) <= allowance &&
-                       (abs(place.z - place.x) <= 1.0 || max(max(abs(rest.x), abs(rest.y)), abs(rest.z)) * abs(width) <= allowance);
+        vec4 size = abs(rest);
+        float largest = max(max(size.x, size.y), max(size.z, size.w)) * abs(width);
+        // Weights may wave inside of a panel, or jump; four values do not see that. But a panel may be too short to matter.
+        bool is_fine = abs(dot(rest, differences) * width) <= allowance && (abs(piece.w - piece.x) <= 1.0 || largest <= 0.1*allowance);
+        if (is_probing) is_fine = largest <= 0.005 * allowance;
+        is_probing = false;
         if (is_fine || is_last_try) {
             sum += abs(width) * dot(weights, rest);
             starts_at_zero = false;
@@ -44,6 +55,7 @@ float ew_integrate_interval(EW_SHAPE shape, ew_passage passage, float from, floa
                 if (is_last_side) break;
                 is_last_side = true;
                 starts_at_zero = is_inside;
+                is_probing = probe >= 0.0;
                 v = v_center;
                 v_end = 1.0 / (to + beta);
                 v_next = v_end;
@@ -51,6 +63,11 @@ float ew_integrate_interval(EW_SHAPE shape, ew_passage passage, float from, floa
             }
         } else {
             v_next = v + 0.4 * width;
+#ifdef EW_WEIGHTS
+            // Better a panel that ends where the next weight piece starts.
+            float v_knot = 1.0 / (ew_next_knot(shape, piece.x, piece.w) + beta);
+            if ((v_knot - v) * width > 0.0 && abs(v_knot - v) < 0.95 * abs(width)) v_next = v_knot;
+#endif
         }
     }
     return sum;

@@ -24,6 +24,13 @@ float ew_reciprocal_difference(ew_ring ring, ew_passage passage, float s, out fl
     return ew_reciprocal_difference(passage, s, ew_ring_distance_squared(ring, s - ring.s_axis), 1.0);
 }
 
+#ifdef EW_WEIGHTS
+float ew_next_knot(ew_ring ring, float from_piece, float to_piece)
+{
+    return 1e9; // a torus has no weights
+}
+#endif
+
 // The closest approaches before and behind the axis (x and y), as x = s - s_axis; on the wrong side of 0 where there is none.
 // There the slope of d^2 / 2, k (x - m) - radius across2 x / sqrt(from_axis2 + across2 x^2), is 0: a straight line meets a sigmoid.
 // Newton's method, started where the line meets the sigmoid's limits, comes down a convex function and cannot miss.
@@ -44,7 +51,7 @@ vec2 ew_ring_closest_approaches(ew_ring ring, out vec2 curvature)
     return x;
 }
 
-float ew_integrate_interval(ew_ring shape, ew_passage passage, float from, float to, float so_far);
+float ew_integrate_interval(ew_ring shape, ew_passage passage, float from, float to, float probe, float so_far);
 
 float ew_integrate_torus(ew_segment segment, ew_torus_block torus)
 {
@@ -77,7 +84,7 @@ float ew_integrate_torus(ew_segment segment, ew_torus_block torus)
     for (int half_circle = 0; half_circle < 2; ++half_circle) {
         float passing = is_near ? x_near : x_far;
         ew_passage passage = ew_passage(true, ew_ring_distance_squared(ring, passing), is_near ? k_near : k_far, ring.s_axis + passing, 1.0);
-        sum += ew_integrate_interval(ring, passage, from, to, sum);
+        sum += ew_integrate_interval(ring, passage, from, to, -1.0, sum);
         if (to >= segment.end) break;
         from = to;
         to = segment.end;
