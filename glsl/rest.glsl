@@ -33,7 +33,7 @@ float ew_integrate_interval(EW_SHAPE shape, ew_passage passage, float from, floa
         vec4 differences = starts_at_zero ? vec4(-1.7249797, 1.6796979, -1.0989184, 0.3567003)
                                           : vec4(-0.2318919, 0.5873578, -0.5873578, 0.2318919);
         vec4 at = v + width * nodes;
-        if (is_probing) at = vec4(v + 0.5 * width, v + 0.8 * width, clamp(1.0 / (probe + beta), min(v, v_next), max(v, v_next)), v_next);
+        if (is_probing) at = vec4(v, v + 0.5 * width, clamp(1.0 / (probe + beta), min(v, v_next), max(v, v_next)), v_next);
         vec4 piece;
         vec4 rest = vec4(ew_reciprocal_difference(shape, passage, 1.0 / at.x - beta, piece.x),
                          ew_reciprocal_difference(shape, passage, 1.0 / at.y - beta, piece.y),
