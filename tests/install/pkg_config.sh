@@ -12,11 +12,11 @@ shared) flags=$(pkg-config --cflags --libs energywave) ;;
 static) flags=$(pkg-config --static --cflags --libs energywave | sed 's/-lenergywave/-l:libenergywave.a/') ;;
 esac
 # shellcheck disable=SC2046,SC2086 # flags are words
-$compiler -std=c11 -Wall -Wextra -Wpedantic -Werror -DGL_GLEXT_PROTOTYPES -o consumer-$kind "$sources"/main.c "$sources"/glow.c $flags \
+$compiler -std=c11 -Wall -Wextra -Wpedantic -Werror -DGL_GLEXT_PROTOTYPES -o consumer-"$kind" "$sources"/main.c "$sources"/glow.c $flags \
     $(pkg-config --cflags --libs egl gl)
-LD_LIBRARY_PATH=$library_path ./consumer-$kind
+LD_LIBRARY_PATH=$library_path ./consumer-"$kind"
 
-needed=$(readelf -d consumer-$kind | grep -c 'NEEDED.*libenergywave' || true)
+needed=$(readelf -d consumer-"$kind" | grep -c 'NEEDED.*libenergywave' || true)
 case $kind in
 shared) [ "$needed" -eq 1 ] ;;
 static) [ "$needed" -eq 0 ] ;;
