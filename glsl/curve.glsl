@@ -170,7 +170,8 @@ float ew_integrate_curve(ew_segment segment, ew_curve_block curve)
     vec2 excess_growth = arc.equation_growth.x * ends - arc.equation_growth.y;
     vec2 planes = -excess_start / excess_growth;
     float jump = -arc.equation_start.y / arc.equation_growth.y;
-    if (!(arc.equation_start.x + jump * arc.equation_growth.x < 0.0)) jump = 0.5 * (passings.x + passings.y);
+    if (!(arc.equation_start.x + jump * arc.equation_growth.x < 0.0))
+        jump = closest.x == closest.y ? -1.0 : 0.5 * (passings.x + passings.y);
 
     // Where one end becomes nearer than the other, if the nearest point is at an end there.
     vec2 ends_y = (arc.slope_y + arc.bend * ends) * ends;

@@ -23,7 +23,7 @@ float ew_integrate_reciprocal(float b2, float k, float sigma, float near, float 
     float depth_far = sigma + far;
     float d_near = sqrt(b2 + k * near * near);
     float d_far = sqrt(b2 + k * far * far);
-    float q = (far - near) / (depth_far * d_near + depth_near * d_far);
+    float q = (far - near) / max(depth_far * d_near + depth_near * d_far, 1e-30); // an empty interval may lie at d = 0
 
     // exp(|u|) up to common factors, where sinh u = (b2 - g y) / ((y + sigma) sqrt(b2 k)) is the substitution's variable.
     float inverse_root_c = inversesqrt(max(c, 1e-30));
