@@ -205,8 +205,9 @@ static void optional_functions_come_with_versions_and_extensions_only(void **sta
     }
 
     /* What the version brings is not taken from the extension. */
-    fake = (struct fake_context){
-        .version = "OpenGL ES 3.2", .extensions = {"GL_OES_draw_buffers_indexed"}, .absent = {"glEnableiOES"}};
+    fake = (struct fake_context){.version = "OpenGL ES 3.2",
+                                 .extensions = {"GL_OES_draw_buffers_indexed"},
+                                 .absent = {"glEnableiOES", "glBlendEquationiOES"}};
     assert_int_equal(load(), EW_OK);
     assert_non_null(gl.Enablei);
     assert_non_null(gl.BlendEquationi);

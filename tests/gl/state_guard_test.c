@@ -320,12 +320,12 @@ static void check_neutrality(const test_subject *subject, int seeds)
 
 /* ---- The guard alone, about a draw that changes all that it may ---------------------------------------------------------- */
 
-static ew_gl loaded[2];
+static ew_gl loaded;
 static GLuint programs[2], vertex_arrays[2], uniform_buffers[2], samplers[2];
 
 static void guarded_create(int context)
 {
-    assert_int_equal(ew_gl_load(&loaded[context], test_context_get_proc_address, contexts[context], NULL), EW_OK);
+    assert_int_equal(ew_gl_load(&loaded, test_context_get_proc_address, contexts[context], NULL), EW_OK);
     GLuint program = build_program("void main() { vec2 p = vec2(gl_VertexID & 1, gl_VertexID >> 1);\n"
                                    "gl_Position = vec4(2.0 * p - 1.0, 0.0, 1.0); }\n",
                                    "layout(std140) uniform A { vec4 a; }; layout(std140) uniform B { vec4 b; };\n"
@@ -376,24 +376,9 @@ static void expect_capabilities_off(void)
         assert_false(gl.IsEnabled(desktop[i]));
 }
 
-static void guarded_draw(int context, const test_target *target)
+/* The draw call and its own bindings. */
+static void draw_quad(int context)
 {
-    const ew_gl *guarded = &loaded[context];
-    const ew_gl_draw_state draw_state = {
-        .framebuffer = target->framebuffers[context],
-        .viewport = {0, 0, WIDTH, HEIGHT},
-        .blend = true,
-        .source_rgb = GL_ONE,
-        .destination_rgb = GL_ONE_MINUS_SRC_ALPHA,
-        .source_alpha = GL_ONE,
-        .destination_alpha = GL_ONE_MINUS_SRC_ALPHA,
-    };
-    ew_gl_state saved;
-    ew_error error = {.text = ""};
-    if (ew_gl_save_state(guarded, &saved, &error) != EW_OK) fail_msg("%s", error.text);
-    gl.UseProgram(programs[context]); /* as compiling one for the first time may do */
-    ew_gl_set_draw_state(guarded, &saved, &draw_state);
-    expect_capabilities_off();
     for (GLuint i = 0; i < EW_BINDING_COUNT; i++)
         gl.BindBufferBase(GL_UNIFORM_BUFFER, i, uniform_buffers[context]);
     gl.ActiveTexture(GL_TEXTURE0 + EW_GL_DEPTH_TEXTURE_UNIT);
@@ -402,6 +387,43 @@ static void guarded_draw(int context, const test_target *target)
     gl.UseProgram(programs[context]);
     gl.BindVertexArray(vertex_arrays[context]);
     gl.DrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+}
+
+/* The clean context does without the guard, whose mistakes would be the same in both. */
+static void draw_without_guard(const test_target *target)
+{
+    gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, target->framebuffers[CLEAN]);
+    gl.Viewport(0, 0, WIDTH, HEIGHT);
+    gl.Enable(GL_BLEND);
+    gl.BlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
+    draw_quad(CLEAN);
+    gl.UseProgram(0);
+    gl.Disable(GL_BLEND);
+}
+
+static void guarded_draw(int context, const test_target *target)
+{
+    if (context == CLEAN) {
+        draw_without_guard(target);
+        return;
+    }
+    const ew_gl *guarded = &loaded;
+    const ew_gl_draw_state draw_state = {
+        .framebuffer = target->framebuffers[context],
+        .viewport = {0, 0, WIDTH, HEIGHT},
+        .blend = true,
+        .source_rgb = GL_ONE,
+        .destination_rgb = GL_ONE_MINUS_SRC_ALPHA,
+        .source_alpha = GL_ZERO,
+        .destination_alpha = GL_ONE,
+    };
+    ew_gl_state saved;
+    ew_error error = {.text = ""};
+    if (ew_gl_save_state(guarded, &saved, &error) != EW_OK) fail_msg("%s", error.text);
+    gl.UseProgram(programs[context]); /* as compiling one for the first time may do */
+    ew_gl_set_draw_state(guarded, &saved, &draw_state);
+    expect_capabilities_off();
+    draw_quad(context);
     gl.ActiveTexture(GL_TEXTURE0 + EW_GL_DEPTH_TEXTURE_UNIT + 1);
     ew_gl_restore_state(guarded, &saved);
 }
@@ -563,6 +585,25 @@ static void a_program_that_cannot_be_restored_is_refused(void **unused)
     effect_destroy(SCRAMBLED);
 }
 
+/* Surfaceless contexts have no window's framebuffer; OSMesa's is its buffer. */
+static void the_window_s_framebuffer_is_drawn_to_if_there_is_one(void **unused)
+{
+    (void)unused;
+    make_current(SCRAMBLED);
+    effect_create(SCRAMBLED);
+    host_scramble(&host, 1, false);
+    host_settle(&host);
+    gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
+    bool complete = gl.CheckFramebufferStatus(GL_DRAW_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
+    ew_frame_desc frame = effect_frame(SCRAMBLED, &targets[0]);
+    frame.framebuffer = 0;
+    ew_error error = {.text = ""};
+    ew_result result = ew_draw(effects[SCRAMBLED], &frame, &error);
+    assert_int_equal(result, complete ? EW_OK : EW_ERROR_OPENGL);
+    assert_int_equal(gl.GetError(), GL_NO_ERROR);
+    effect_destroy(SCRAMBLED);
+}
+
 static void objects_that_another_context_deleted_do_not_come_back(void **unused)
 {
     (void)unused;
@@ -635,6 +676,7 @@ int main(int argc, char **argv)
             cmocka_unit_test(create_and_destroy_leave_all_state),
             cmocka_unit_test(failed_draws_leave_all_state),
             cmocka_unit_test(a_program_that_cannot_be_restored_is_refused),
+            cmocka_unit_test(the_window_s_framebuffer_is_drawn_to_if_there_is_one),
             cmocka_unit_test(objects_that_another_context_deleted_do_not_come_back),
         };
         int failed = cmocka_run_group_tests_name(kinds[i].name, tests, NULL, NULL);
