@@ -172,6 +172,8 @@ float ew_integrate_curve(ew_segment segment, ew_curve_block curve)
     float jump = -arc.equation_start.y / arc.equation_growth.y;
     if (!(arc.equation_start.x + jump * arc.equation_growth.x < 0.0))
         jump = closest.x == closest.y ? -1.0 : 0.5 * (passings.x + passings.y);
+    // Around a sharp bend it slows down abruptly, where the bend's centre of curvature is passed.
+    if (jump < 0.0 && arc.slope_x < 0.1 * arc.bend) jump = -arc.equation_start.x / arc.equation_growth.x;
 
     // Where one end becomes nearer than the other, if the nearest point is at an end there.
     vec2 ends_y = (arc.slope_y + arc.bend * ends) * ends;
@@ -194,8 +196,12 @@ float ew_integrate_curve(ew_segment segment, ew_curve_block curve)
         float middle = 0.5 * (from + to);
         float side = arc.equation_start.y + middle * arc.equation_growth.y < 0.0 ? -1.0 : 1.0;
         vec2 excess = excess_start + middle * excess_growth;
-        bool is_first = side > 0.0 ? excess.x > 0.0 && arc.first > 0.0 && excess.y >= 0.0 : excess.x > 0.0 || arc.first > 0.0;
-        bool is_last = side > 0.0 ? excess.y < 0.0 || arc.last < 0.0 : excess.y < 0.0 && arc.last < 0.0 && excess.x <= 0.0;
+        // An arc that starts or ends where it folds back on itself stays on its end as long as the equation's left side grows.
+        float growth = arc.equation_start.x + middle * arc.equation_growth.x;
+        if (excess.x == 0.0) excess.x = growth;
+        if (excess.y == 0.0) excess.y = -growth;
+        bool is_first = side > 0.0 ? excess.x > 0.0 && arc.first >= 0.0 && excess.y >= 0.0 : excess.x > 0.0 || arc.first > 0.0;
+        bool is_last = side > 0.0 ? excess.y < 0.0 || arc.last < 0.0 : excess.y < 0.0 && arc.last <= 0.0 && excess.x <= 0.0;
         // Of the closest approaches, the nearer one of those on this arm.
         vec2 remoteness = abs(passings - middle) + vec2(closest.x * side < 0.0 ? 1e6 : 0.0, closest.y * side < 0.0 ? 1e6 : 0.0);
         float tau = is_first ? arc.first : is_last ? arc.last : remoteness.y < remoteness.x ? closest.y : closest.x;
