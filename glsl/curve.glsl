@@ -92,7 +92,8 @@ float ew_next_knot(ew_arc arc, float from_piece, float to_piece)
 }
 #endif
 
-// Where the ray passes the point of the arc at `tau`; at an end of the arc, the distance from that end.
+// Where the ray passes the point of the arc at `tau`; at an end of the arc, the distance from that end, which touches the arc's
+// where `is_end`, the end being nearest.
 ew_passage ew_passage_at(ew_arc arc, float tau, bool is_end)
 {
     float slope_y = arc.slope_y + 2.0 * arc.bend * tau;
@@ -101,15 +102,15 @@ ew_passage ew_passage_at(ew_arc arc, float tau, bool is_end)
     float s0 = dot(difference, arc.direction) / v2;
     vec3 across = difference - s0 * arc.direction;
     float k = v2;
-    bool is_touching = is_end || (tau > arc.first && tau < arc.last);
-    if (!is_end) {
+    bool is_inside = tau > arc.first && tau < arc.last;
+    if (is_inside) {
         // The second derivative of d^2 / 2 along the ray, v2 - (slope . direction)^2 / curvature, without the difference.
         float bending = 2.0 * arc.bend * across.y;
         float slope2 = arc.slope_x * arc.slope_x + slope_y * slope_y;
         float sine2 = ew_square(arc.slope_x * arc.direction.y - slope_y * arc.direction.x) + slope2 * ew_square(arc.direction.z);
         k = clamp((sine2 + v2 * bending) / max(slope2 + bending, 1e-30), 1e-7 * v2, v2);
     }
-    return ew_passage(is_touching, ew_length_squared(across), k, s0, ew_arc_weight(arc, tau));
+    return ew_passage(is_inside || is_end, ew_length_squared(across), k, s0, ew_arc_weight(arc, tau));
 }
 
 // The minima over the whole arc of its distance from the ray: the same equation as for a point, in projection along the ray.
