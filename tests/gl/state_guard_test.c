@@ -395,7 +395,7 @@ static void draw_without_guard(const test_target *target)
     gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, target->framebuffers[CLEAN]);
     gl.Viewport(0, 0, WIDTH, HEIGHT);
     gl.Enable(GL_BLEND);
-    gl.BlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
+    gl.BlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_DST_ALPHA, GL_ONE);
     draw_quad(CLEAN);
     gl.UseProgram(0);
     gl.Disable(GL_BLEND);
@@ -414,7 +414,7 @@ static void guarded_draw(int context, const test_target *target)
         .blend = true,
         .source_rgb = GL_ONE,
         .destination_rgb = GL_ONE_MINUS_SRC_ALPHA,
-        .source_alpha = GL_ZERO,
+        .source_alpha = GL_DST_ALPHA,
         .destination_alpha = GL_ONE,
     };
     ew_gl_state saved;
