@@ -94,7 +94,7 @@ float ew_next_knot(ew_arc arc, float from_piece, float to_piece)
 
 // Where the ray passes the point of the arc at `tau`; at an end of the arc, the distance from that end, which touches the arc's
 // where `is_end`, the end being nearest.
-ew_passage ew_passage_at(ew_arc arc, float tau, bool is_end)
+ew_passage ew_passage_at(ew_arc arc, float tau, bool is_end, bool is_far)
 {
     float slope_y = arc.slope_y + 2.0 * arc.bend * tau;
     vec3 difference = vec3(arc.slope_x * tau, (arc.slope_y + arc.bend * tau) * tau, 0.0) - arc.start;
@@ -102,15 +102,14 @@ ew_passage ew_passage_at(ew_arc arc, float tau, bool is_end)
     float s0 = dot(difference, arc.direction) / v2;
     vec3 across = difference - s0 * arc.direction;
     float k = v2;
-    bool is_inside = tau > arc.first && tau < arc.last;
-    if (is_inside) {
+    if (!is_end && !is_far) {
         // The second derivative of d^2 / 2 along the ray, v2 - (slope . direction)^2 / curvature, without the difference.
         float bending = 2.0 * arc.bend * across.y;
         float slope2 = arc.slope_x * arc.slope_x + slope_y * slope_y;
         float sine2 = ew_square(arc.slope_x * arc.direction.y - slope_y * arc.direction.x) + slope2 * ew_square(arc.direction.z);
         k = clamp((sine2 + v2 * bending) / max(slope2 + bending, 1e-30), 1e-7 * v2, v2);
     }
-    return ew_passage(is_inside || is_end, ew_length_squared(across), k, s0, ew_arc_weight(arc, tau));
+    return ew_passage(is_end || (tau > arc.first && tau < arc.last), ew_length_squared(across), k, s0, ew_arc_weight(arc, tau));
 }
 
 // The minima over the whole arc of its distance from the ray: the same equation as for a point, in projection along the ray.
@@ -132,7 +131,7 @@ vec2 ew_closest_approaches(ew_arc arc)
     linear += shift * (2.0 * quadratic + shift * 3.0 * cubic);
     quadratic += 3.0 * cubic * shift;
     float side = constant < 0.0 ? -1.0 : 1.0;
-    return clamp(shift + ew_distance_minima(cubic, quadratic, linear, abs(constant), side), arc.first, arc.last);
+    return shift + ew_distance_minima(cubic, quadratic, linear, abs(constant), side);
 }
 
 float ew_integrate_interval(ew_arc shape, ew_passage passage, float from, float to, float probe, float so_far);
@@ -206,11 +205,13 @@ float ew_integrate_curve(ew_segment segment, ew_curve_block curve)
         // Of the closest approaches, the nearer one of those on this arm.
         vec2 remoteness = abs(passings - middle) + vec2(closest.x * side < 0.0 ? 1e6 : 0.0, closest.y * side < 0.0 ? 1e6 : 0.0);
         float tau = is_first ? arc.first : is_last ? arc.last : remoteness.y < remoteness.x ? closest.y : closest.x;
+        float nearby = clamp(tau, arc.first - 0.5, arc.last + 0.5);
         bool is_end = is_first || is_last;
+        bool is_far = nearby != tau;
         float probe = -1.0;
         if (is_end) probe = remoteness.x < remoteness.y ? passings.x : passings.y;
         if (is_end) probe = probe > from && probe < to ? probe : middle;
-        sum += ew_integrate_interval(arc, ew_passage_at(arc, tau, is_end), from, to, probe, sum);
+        sum += ew_integrate_interval(arc, ew_passage_at(arc, is_far ? clamp(tau, arc.first, arc.last) : tau, is_end, is_far), from, to, probe, sum);
         from = to;
         if (from >= segment.end) break;
     }
