@@ -207,12 +207,12 @@ static bool write_csv(const command_line *options, const char *scene, const name
     FILE *file = fopen(options->csv, "a");
     if (!file) return false;
     if (ftell(file) == 0)
-        fprintf(file, "scene,integrator,size,renderer,pixels,max_rel_error,p99_rel_error,worst_x,worst_y,worst_luminance,"
-                      "worst_truth,bad_pixels,unreliable_pixels\n");
-    fprintf(file, "%s,%s,%dx%d,\"%s\",%zu,%.3g,%.3g,%d,%d,%.9g,%.9g,%zu,%zu\n", scene, integrator->name, options->width,
-            options->height, renderer, truth->count, comparison->largest_error, comparison->percentile_99, comparison->worst_x,
+        fprintf(file, "scene,integrator,size,pixels,max_rel_error,p99_rel_error,worst_x,worst_y,worst_luminance,"
+                      "worst_truth,bad_pixels,unreliable_pixels,renderer\n");
+    fprintf(file, "%s,%s,%dx%d,%zu,%.3g,%.3g,%d,%d,%.9g,%.9g,%zu,%zu,\"%s\"\n", scene, integrator->name, options->width,
+            options->height, truth->count, comparison->largest_error, comparison->percentile_99, comparison->worst_x,
             comparison->worst_y, comparison->worst_luminance, comparison->worst_truth, comparison->bad_count,
-            truth->unreliable_count);
+            truth->unreliable_count, renderer);
     return fclose(file) == 0;
 }
 
@@ -296,7 +296,7 @@ int main(int argc, char **argv)
     if (!read_options(argc, argv, &options)) return EXIT_BAD_INPUT;
     gl_context *context = context_create(options.backend, message, sizeof message);
     if (!context) {
-        fprintf(stderr, "ew-accuracy: %s\n", message);
+        printf("SKIPPED: %s\n", message);
         return EXIT_NO_CONTEXT;
     }
     puts(context_description(context));
