@@ -6,7 +6,7 @@ set -eu
 csv=simpson_converges.csv
 rm -f "$csv"
 status=0
-"$1" "$2" --backend egl --integrators simpson:16,simpson:64,simpson:256,simpson:1024 --csv "$csv" || status=$?
+"$1" "$2" --backend egl --size 160x160 --integrators simpson:16,simpson:64,simpson:256,simpson:1024 --csv "$csv" || status=$?
 [ "$status" -eq 0 ] || exit "$status"
 awk -F, '
     NR == 1 { for (i = 1; i <= NF; i++) if ($i == "max_rel_error") column = i; next }
