@@ -597,7 +597,7 @@ static void pack_rays(const ew_frame_desc *frame, const ray_space *space, struct
 static double bend_tolerance(ew_quality quality)
 {
     static const double tolerances[] = {
-        [EW_QUALITY_ERROR_1E_2] = 1e-2, [EW_QUALITY_ERROR_1E_3] = 3e-3, [EW_QUALITY_ERROR_1E_4] = 3e-4};
+        [EW_QUALITY_ERROR_1E_2] = 1e-2, [EW_QUALITY_ERROR_1E_3] = 1e-3, [EW_QUALITY_ERROR_1E_4] = 1e-4};
     return tolerances[quality];
 }
 
