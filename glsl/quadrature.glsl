@@ -76,7 +76,17 @@ struct ew_passage {
 };
 
 // The most panels of an interval's quadrature, refused ones included.
-const int EW_MAX_PANELS = 200;
+const int EW_MAX_PANELS = 400;
+// How much the second difference of a panel's values counts beside the third in the estimate of its error. Weights are pieces of
+// parabolas, of which the quadrature makes no error.
+#ifdef EW_WEIGHTS
+const float EW_SECOND_DIFFERENCE = 0.01;
+#else
+const float EW_SECOND_DIFFERENCE = 0.03;
+#endif
+// The length of the first panel beside a peak, in half widths of the peak, and how much longer than one panel the next may be.
+const float EW_FIRST_PANEL = 10.0;
+const float EW_PANEL_GROWTH = 3.0;
 
 // The difference of weight / max(epsilon, d) of the source and of the passage at s.
 float ew_reciprocal_difference(ew_passage passage, float s, float distance_squared, float weight)

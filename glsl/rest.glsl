@@ -20,7 +20,10 @@ float ew_integrate_interval(EW_SHAPE shape, ew_passage passage, float from, floa
     bool is_last_side = v_end == v_center;
     if (is_last_side) v_end = 1.0 / (to + beta);
     float v = v_center;
-    float v_next = v_end;
+    // The first panel is no longer than the peak is wide, or it would not see how the source's peak differs from the passage's.
+    float peak = EW_FIRST_PANEL * sqrt(max(passage.b2, ew_square(ew_frame.decay.z)) / passage.k) * v_center * v_center;
+    if (probe >= 0.0) peak = 1e9;
+    float v_next = v + clamp(v_end - v, -peak, peak);
     bool starts_at_zero = is_inside;
     bool is_probing = probe >= 0.0;
     for (int panel = 0; panel < EW_MAX_PANELS; ++panel) {
@@ -43,14 +46,15 @@ float ew_integrate_interval(EW_SHAPE shape, ew_passage passage, float from, floa
         vec4 size = abs(rest);
         float largest = max(max(size.x, size.y), max(size.z, size.w)) * abs(width);
         // Weights may wave inside of a panel, or jump; four values do not see that. But a panel may be too short to matter.
-        bool is_fine = abs(dot(rest, differences) * width) <= allowance && (abs(piece.w - piece.x) <= 1.0 || largest <= 0.1*allowance);
+        float second = rest.x - rest.y - rest.z + rest.w;
+        bool is_fine = (abs(dot(rest, differences)) + EW_SECOND_DIFFERENCE * abs(second)) * abs(width) <= allowance && (abs(piece.w - piece.x) <= 1.0 || largest <= 0.1*allowance);
         if (is_probing) is_fine = largest <= 0.005 * allowance;
         is_probing = false;
         if (is_fine || is_last_try) {
             sum += abs(width) * dot(weights, rest);
             starts_at_zero = false;
             v = v_next;
-            v_next = abs(v_end - v) < 2.5 * abs(width) || is_last_try ? v_end : v + 2.0 * width;
+            v_next = abs(v_end - v) < 1.5 * EW_PANEL_GROWTH * abs(width) || is_last_try ? v_end : v + (EW_PANEL_GROWTH) * width;
             if (v == v_end) {
                 if (is_last_side) break;
                 is_last_side = true;
@@ -58,7 +62,7 @@ float ew_integrate_interval(EW_SHAPE shape, ew_passage passage, float from, floa
                 is_probing = probe >= 0.0;
                 v = v_center;
                 v_end = 1.0 / (to + beta);
-                v_next = v_end;
+                v_next = v + clamp(v_end - v, -peak, peak);
                 if (v == v_end) break;
             }
         } else {

@@ -47,7 +47,8 @@ vec2 ew_ring_closest_approaches(ew_ring ring, out vec2 curvature)
         x -= step_length;
         x = vec2(min(x.x, 0.0), max(x.y, 0.0));
     }
-    curvature = clamp(curvature, 1e-6 * k, k);
+    // Where the ray grazes the circle the curvature vanishes, and a parabola with so little would be far too flat further on.
+    curvature = clamp(curvature, 0.1 * k, k);
     return x;
 }
 
