@@ -12,26 +12,20 @@
 /* ---- Choosing pixels ------------------------------------------------------------------------------------------------------
  */
 
-typedef struct pixel_chooser {
-    const drawn_picture *picture;
-    unsigned char *chosen; /* one a pixel */
-    true_pixels *truth;
-} pixel_chooser;
-
-static void choose(pixel_chooser *chooser, size_t index, bool representative)
+static void choose(true_pixels *truth, const drawn_picture *picture, size_t index, bool representative)
 {
-    if (chooser->chosen[index]) return;
-    chooser->chosen[index] = 1;
-    chooser->truth->pixels[chooser->truth->count++] = (true_pixel){
-        .x = (int)(index % (size_t)chooser->picture->width),
-        .y = (int)(index / (size_t)chooser->picture->width),
+    if (truth->chosen[index]) return;
+    truth->chosen[index] = 1;
+    truth->pixels[truth->count++] = (true_pixel){
+        .x = (int)(index % (size_t)picture->width),
+        .y = (int)(index / (size_t)picture->width),
         .representative = representative,
     };
 }
 
-static void choose_evenly(pixel_chooser *chooser, size_t count)
+static void choose_evenly(true_pixels *truth, const drawn_picture *picture, size_t count)
 {
-    int width = chooser->picture->width, height = chooser->picture->height;
+    int width = picture->width, height = picture->height;
     double side = sqrt((double)width * height / (double)count);
     int columns = (int)ceil(width / side), rows = (int)ceil(height / side);
     uint64_t random = 1;
@@ -43,40 +37,43 @@ static void choose_evenly(pixel_chooser *chooser, size_t count)
             if (left == right || bottom == top) continue;
             int x = left + (int)((random >> 33) % (uint64_t)(right - left));
             int y = bottom + (int)((random >> 48) % (uint64_t)(top - bottom));
-            choose(chooser, (size_t)y * (size_t)width + (size_t)x, true);
+            choose(truth, picture, (size_t)y * (size_t)width + (size_t)x, true);
         }
 }
 
 typedef struct ranked {
-    float luminance;
+    double value;
     size_t index;
 } ranked;
 
 static int compare_ranked(const void *a, const void *b)
 {
     const ranked *first = a, *second = b;
-    if (first->luminance != second->luminance) return first->luminance < second->luminance ? -1 : 1;
+    if (first->value != second->value) return first->value < second->value ? -1 : 1;
     return first->index < second->index ? -1 : 1;
 }
 
-static void choose_brightest_and_darkest(pixel_chooser *chooser, ranked *ranking, size_t pixel_count, size_t brightest,
-                                         size_t darkest)
+/* The picture's luminance or, with another picture of the scene, by how much of it they differ, from the least to the
+ * largest. What is no number counts as large. NULL where memory is exhausted. */
+static ranked *rank_pixels(const drawn_picture *picture, const drawn_picture *other)
 {
-    for (size_t i = 0; i < pixel_count; i++) {
-        float luminance = chooser->picture->luminance[i];
-        ranking[i] = (ranked){isfinite(luminance) ? luminance : 1e30f, i};
+    size_t pixel_count = (size_t)picture->width * (size_t)picture->height;
+    ranked *ranking = malloc(pixel_count * sizeof *ranking);
+    double largest = 0;
+    for (size_t i = 0; i < pixel_count; i++)
+        if (isfinite(picture->luminance[i])) largest = fmax(largest, (double)picture->luminance[i]);
+    for (size_t i = 0; ranking && i < pixel_count; i++) {
+        double value = (double)picture->luminance[i];
+        if (other) value = fabs((double)other->luminance[i] - value) / fmax(value, COMPARISON_DARK * largest + 1e-30);
+        ranking[i] = (ranked){isfinite(value) ? value : HUGE_VAL, i};
     }
-    qsort(ranking, pixel_count, sizeof *ranking, compare_ranked);
-    for (size_t i = 0; i < darkest && i < pixel_count; i++)
-        choose(chooser, ranking[i].index, false);
-    for (size_t i = 0; i < brightest && i < pixel_count; i++)
-        choose(chooser, ranking[pixel_count - 1 - i].index, false);
+    if (ranking) qsort(ranking, pixel_count, sizeof *ranking, compare_ranked);
+    return ranking;
 }
 
 /* Of the pixels whose right or upper neighbour lies elsewhere in depth, both, for every so many that `count` are chosen. */
-static void choose_silhouettes(pixel_chooser *chooser, const scene_rays *rays, size_t count)
+static void choose_silhouettes(true_pixels *truth, const drawn_picture *picture, const scene_rays *rays, size_t count)
 {
-    const drawn_picture *picture = chooser->picture;
     size_t width = (size_t)picture->width, height = (size_t)picture->height, found = 0, stride = 1;
     for (int pass = 0; pass < 2; pass++) {
         if (pass == 1) stride = 1 + 2 * found / count;
@@ -87,8 +84,8 @@ static void choose_silhouettes(pixel_chooser *chooser, const scene_rays *rays, s
             for (int k = 0; k < 2; k++) {
                 double other = scene_rays_stored_depth(rays, picture->depth[neighbours[k]]);
                 if (fabs(other - depth) < 0.05 * fabs(depth) || found++ % stride != 0 || pass == 0) continue;
-                choose(chooser, i, false);
-                choose(chooser, neighbours[k], false);
+                choose(truth, picture, i, false);
+                choose(truth, picture, neighbours[k], false);
             }
         }
     }
@@ -97,21 +94,23 @@ static void choose_silhouettes(pixel_chooser *chooser, const scene_rays *rays, s
 static bool choose_pixels(const scene_rays *rays, const drawn_picture *picture, size_t count, true_pixels *truth)
 {
     size_t pixel_count = (size_t)picture->width * (size_t)picture->height;
-    *truth = (true_pixels){.pixels = malloc(pixel_count * sizeof *truth->pixels)};
-    pixel_chooser chooser = {picture, calloc(pixel_count, 1), truth};
-    ranked *ranking = malloc(pixel_count * sizeof *ranking);
-    bool ok = truth->pixels && chooser.chosen && ranking;
+    *truth = (true_pixels){.pixels = malloc(pixel_count * sizeof *truth->pixels), .chosen = calloc(pixel_count, 1)};
+    ranked *ranking = rank_pixels(picture, NULL);
+    bool ok = truth->pixels && truth->chosen && ranking;
     if (ok && (count == 0 || count >= pixel_count)) {
         for (size_t i = 0; i < pixel_count; i++)
-            choose(&chooser, i, true);
+            choose(truth, picture, i, true);
     } else if (ok) {
-        choose_evenly(&chooser, count / 2);
-        choose_brightest_and_darkest(&chooser, ranking, pixel_count, count / 8, count / 8);
-        choose_silhouettes(&chooser, rays, count / 4);
+        choose_evenly(truth, picture, count / 2);
+        for (size_t i = 0; i < count / 8; i++) {
+            choose(truth, picture, ranking[i].index, false);
+            choose(truth, picture, ranking[pixel_count - 1 - i].index, false);
+        }
+        choose_silhouettes(truth, picture, rays, count / 4);
     }
-    free(chooser.chosen);
     free(ranking);
-    if (!ok) free(truth->pixels);
+    truth->first_count = truth->count;
+    if (!ok) true_pixels_free(truth);
     return ok;
 }
 
@@ -123,15 +122,15 @@ typedef struct worker {
     reference_workspace *workspace;
     const scene_rays *rays;
     const drawn_picture *picture;
-    true_pixels *truth;
-    size_t first, stride;
+    true_pixel *pixels;
+    size_t count, first, stride;
 } worker;
 
 static void *work(void *argument)
 {
     worker *self = argument;
-    for (size_t i = self->first; i < self->truth->count; i += self->stride) {
-        true_pixel *pixel = &self->truth->pixels[i];
+    for (size_t i = self->first; i < self->count; i += self->stride) {
+        true_pixel *pixel = &self->pixels[i];
         size_t index = (size_t)pixel->y * (size_t)self->picture->width + (size_t)pixel->x;
         double depth = scene_rays_stored_depth(self->rays, self->picture->depth[index]);
         reference_ray ray = scene_rays_ray(self->rays, pixel->x + 0.5, pixel->y + 0.5, depth);
@@ -144,15 +143,17 @@ static void *work(void *argument)
 
 enum { MAX_THREADS = 64 };
 
-static bool compute_truth(const scene_rays *rays, const drawn_picture *picture, int threads, true_pixels *truth)
+/* Computes the luminance of the pixels from `first` on. */
+static bool compute_truth(const scene_rays *rays, const drawn_picture *picture, int threads, true_pixels *truth, size_t first)
 {
     worker workers[MAX_THREADS];
     int count = threads < 1 ? 1 : threads > MAX_THREADS ? MAX_THREADS : threads, made = 0, started = 1;
     while (made < count && (workers[made].workspace = reference_create_workspace())) {
         workers[made].rays = rays;
         workers[made].picture = picture;
-        workers[made].truth = truth;
-        workers[made].first = (size_t)made;
+        workers[made].pixels = truth->pixels;
+        workers[made].count = truth->count;
+        workers[made].first = first + (size_t)made;
         workers[made].stride = (size_t)count;
         made++;
     }
@@ -165,6 +166,10 @@ static bool compute_truth(const scene_rays *rays, const drawn_picture *picture, 
             work(&workers[i]);
         for (int i = 1; i < started; i++)
             pthread_join(workers[i].thread, NULL);
+        for (size_t i = first; i < truth->count; i++) {
+            if (!truth->pixels[i].reliable) truth->unreliable_count++;
+            truth->largest = fmax(truth->largest, truth->pixels[i].luminance);
+        }
     }
     for (int i = 0; i < made; i++)
         reference_destroy_workspace(workers[i].workspace);
@@ -174,20 +179,15 @@ static bool compute_truth(const scene_rays *rays, const drawn_picture *picture, 
 bool true_pixels_compute(const scene_rays *rays, const drawn_picture *picture, size_t count, int threads, true_pixels *truth)
 {
     if (!choose_pixels(rays, picture, count, truth)) return false;
-    if (!compute_truth(rays, picture, threads, truth)) {
-        true_pixels_free(truth);
-        return false;
-    }
-    for (size_t i = 0; i < truth->count; i++) {
-        if (!truth->pixels[i].reliable) truth->unreliable_count++;
-        truth->largest = fmax(truth->largest, truth->pixels[i].luminance);
-    }
-    return true;
+    if (compute_truth(rays, picture, threads, truth, 0)) return true;
+    true_pixels_free(truth);
+    return false;
 }
 
 void true_pixels_free(true_pixels *truth)
 {
     free(truth->pixels);
+    free(truth->chosen);
     *truth = (true_pixels){0};
 }
 
@@ -237,6 +237,48 @@ bool comparison_make(const true_pixels *truth, const drawn_picture *picture, pic
     free(errors);
     for (size_t i = 0; i < (size_t)picture->width * (size_t)picture->height; i++)
         if (!(picture->luminance[i] >= 0 && isfinite(picture->luminance[i]))) comparison->bad_count++;
+    return true;
+}
+
+/* Adds the neighbours of the pixels at which the picture is most wrong. */
+static void choose_around_the_worst(true_pixels *truth, const drawn_picture *picture)
+{
+    enum { WORST = 12, REACH = 2 };
+    size_t worst[WORST], worst_count = 0;
+    for (size_t i = 0; i < truth->count; i++) {
+        size_t rank = worst_count;
+        double error = error_at(truth, picture, &truth->pixels[i]);
+        while (rank > 0 && error > error_at(truth, picture, &truth->pixels[worst[rank - 1]])) {
+            if (rank < WORST) worst[rank] = worst[rank - 1];
+            rank--;
+        }
+        if (rank < WORST) worst[rank] = i;
+        if (worst_count < WORST) worst_count++;
+    }
+    for (size_t i = 0; i < worst_count; i++)
+        for (int dy = -REACH; dy <= REACH; dy++)
+            for (int dx = -REACH; dx <= REACH; dx++) {
+                int x = truth->pixels[worst[i]].x + dx, y = truth->pixels[worst[i]].y + dy;
+                if (x < 0 || y < 0 || x >= picture->width || y >= picture->height) continue;
+                choose(truth, picture, (size_t)y * (size_t)picture->width + (size_t)x, false);
+            }
+}
+
+bool true_pixels_refine(const scene_rays *rays, const drawn_picture *picture, const drawn_picture *other, int threads,
+                        true_pixels *truth)
+{
+    size_t pixel_count = (size_t)picture->width * (size_t)picture->height;
+    size_t before = truth->count, limit = before + truth->first_count / 2;
+    ranked *ranking = rank_pixels(picture, other);
+    if (!ranking) return false;
+    for (size_t i = 0; i < pixel_count && i < truth->first_count / 8; i++)
+        choose(truth, picture, ranking[pixel_count - 1 - i].index, false);
+    free(ranking);
+    while (before < truth->count) {
+        if (!compute_truth(rays, picture, threads, truth, before)) return false;
+        before = truth->count;
+        if (truth->count < limit) choose_around_the_worst(truth, picture);
+    }
     return true;
 }
 

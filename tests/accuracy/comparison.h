@@ -25,6 +25,8 @@ typedef struct true_pixel {
 typedef struct true_pixels {
     true_pixel *pixels;
     size_t count;
+    size_t first_count;    /* without those of true_pixels_refine */
+    unsigned char *chosen; /* for each of the picture's pixels, whether it is among them */
     size_t unreliable_count;
     double largest; /* luminance */
 } true_pixels;
@@ -36,6 +38,12 @@ typedef struct true_pixels {
  * the effect's doing. Returns false, and nothing to free, where memory is exhausted. */
 bool true_pixels_compute(const scene_rays *rays, const drawn_picture *picture, size_t count, int threads, true_pixels *truth);
 void true_pixels_free(true_pixels *truth);
+
+/* Looks for pixels at which the picture is more wrong than at those so far: adds those at which it differs most from another
+ * picture of the scene, then the neighbours of the worst, and again those of the worst then, until there are half as many more
+ * as there were first. Returns false where memory is exhausted. */
+bool true_pixels_refine(const scene_rays *rays, const drawn_picture *picture, const drawn_picture *other, int threads,
+                        true_pixels *truth);
 
 typedef struct picture_comparison {
     double largest_error; /* relative; infinite if any pixel's luminance is not finite */

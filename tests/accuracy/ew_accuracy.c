@@ -241,48 +241,82 @@ static bool report(const command_line *options, const char *path, const named_in
     return !options->heatmap || heatmap_write(options->heatmap, truth, picture, message, size);
 }
 
+/* A scene that is being compared, and its picture by each of the integrators; a single one has another one beside it. */
+typedef struct compared_scene {
+    const char *path;
+    ew_scene scene;
+    scene_rays rays;
+    drawn_picture pictures[MAX_INTEGRATORS];
+    size_t picture_count;
+} compared_scene;
+
+static bool draw_pictures(const command_line *options, gl_context *context, compared_scene *compared, char *message,
+                          size_t size)
+{
+    size_t count = options->integrator_count > 1 ? options->integrator_count : 2;
+    while (compared->picture_count < count) {
+        char reason[300];
+        named_integrator integrator = options->integrators[compared->picture_count % options->integrator_count];
+        if (compared->picture_count == options->integrator_count)
+            read_integrator(strcmp(integrator.name, "adaptive:1e-4") == 0 ? "adaptive:1e-3" : "adaptive:1e-4", &integrator);
+        integrator.settings.width = options->width;
+        integrator.settings.height = options->height;
+        if (!picture_draw(context, &compared->scene, &integrator.settings, &compared->pictures[compared->picture_count], reason,
+                          sizeof reason)) {
+            snprintf(message, size, "%s: %s", compared->path, reason);
+            return false;
+        }
+        compared->picture_count++;
+    }
+    return true;
+}
+
+static bool compare_pictures(const command_line *options, const char *renderer, const compared_scene *compared, int *status,
+                             char *message, size_t size)
+{
+    const drawn_picture *pictures = compared->pictures;
+    int threads = (int)sysconf(_SC_NPROCESSORS_ONLN);
+    size_t pixels = options->pixels_given ? options->pixels : default_pixels(&compared->scene);
+    true_pixels truth;
+    if (!true_pixels_compute(&compared->rays, &pictures[0], pixels, threads, &truth)) {
+        snprintf(message, size, "%s: memory is exhausted", compared->path);
+        return false;
+    }
+    size_t misses = compared->scene.opaque_count ? depth_misses(&compared->rays, &truth, &pictures[0]) : 0;
+    if (misses) printf("%s: the depth of %zu pixels is not the scene's\n", compared->path, misses);
+    bool ok = true;
+    for (size_t i = 0; ok && i < options->integrator_count; i++) {
+        /* Where two integrators disagree, one of them is wrong. */
+        const drawn_picture *other = &pictures[(i + 1) % compared->picture_count];
+        ok = true_pixels_refine(&compared->rays, &pictures[i], other, threads, &truth);
+        if (!ok) snprintf(message, size, "%s: memory is exhausted", compared->path);
+        ok = ok &&
+             report(options, compared->path, &options->integrators[i], renderer, &truth, &pictures[i], status, message, size);
+    }
+    if (truth.unreliable_count)
+        printf("%s: the reference does not vouch for %zu of %zu pixels\n", compared->path, truth.unreliable_count, truth.count);
+    if (options->check && (misses || truth.unreliable_count * 100 > truth.count)) *status = EXIT_WRONG;
+    true_pixels_free(&truth);
+    return ok;
+}
+
 /* Compares one scene; sets *status if a check fails. On failure returns false, with a message. */
 static bool compare_scene(const command_line *options, gl_context *context, const char *path, int *status, char *message,
                           size_t size)
 {
-    ew_scene scene;
-    scene_rays rays;
-    if (!scene_load(path, &scene, message, size)) return false;
-    if (!scene_rays_create(&scene, options->width, options->height, &rays)) {
+    compared_scene compared = {.path = path};
+    if (!scene_load(path, &compared.scene, message, size)) return false;
+    bool ok = scene_rays_create(&compared.scene, options->width, options->height, &compared.rays);
+    if (!ok) {
         snprintf(message, size, "%s: memory is exhausted", path);
-        scene_free(&scene);
-        return false;
+    } else {
+        ok = draw_pictures(options, context, &compared, message, size) &&
+             compare_pictures(options, context_description(context), &compared, status, message, size);
+        for (size_t i = 0; i < compared.picture_count; i++)
+            picture_free(&compared.pictures[i]);
+        scene_rays_free(&compared.rays);
     }
-    true_pixels truth = {0};
-    bool ok = true;
-    for (size_t i = 0; ok && i < options->integrator_count; i++) {
-        char reason[300];
-        drawn_picture picture;
-        render_settings settings = options->integrators[i].settings;
-        settings.width = options->width;
-        settings.height = options->height;
-        ok = picture_draw(context, &scene, &settings, &picture, reason, sizeof reason);
-        if (!ok) {
-            snprintf(message, size, "%s: %s", path, reason);
-            break;
-        }
-        if (i == 0) {
-            size_t pixels = options->pixels_given ? options->pixels : default_pixels(&scene);
-            ok = true_pixels_compute(&rays, &picture, pixels, (int)sysconf(_SC_NPROCESSORS_ONLN), &truth);
-            if (!ok) snprintf(message, size, "%s: memory is exhausted", path);
-            size_t misses = ok && scene.opaque_count ? depth_misses(&rays, &truth, &picture) : 0;
-            if (misses) printf("%s: the depth of %zu pixels is not the scene's\n", path, misses);
-            if (truth.unreliable_count)
-                printf("%s: the reference does not vouch for %zu of %zu pixels\n", path, truth.unreliable_count, truth.count);
-            if (options->check && (misses || truth.unreliable_count * 100 > truth.count)) *status = EXIT_WRONG;
-        }
-        ok = ok && report(options, path, &options->integrators[i], context_description(context), &truth, &picture, status,
-                          message, size);
-        picture_free(&picture);
-    }
-    true_pixels_free(&truth);
-    scene_rays_free(&rays);
-    scene_free(&scene);
+    scene_free(&compared.scene);
     return ok;
 }
 
