@@ -418,7 +418,7 @@ static bool has_peak_within(const reference_workspace *workspace, double low, do
     return false;
 }
 
-static double solve_peak(gsl_root_fsolver *solver, integrand *f, double low, double high)
+static double solve_slope(gsl_root_fsolver *solver, integrand *f, double low, double high)
 {
     gsl_function slope = {distance_slope, f};
     if (gsl_root_fsolver_set(solver, &slope, low, high) != GSL_SUCCESS) return 0.5 * (low + high);
@@ -450,7 +450,7 @@ static void find_peaks(reference_workspace *workspace, integrand *f, double end)
             bool turns =
                 (samples[i].slope < 0 && samples[i + 1].slope >= 0) || (samples[i].slope == 0 && samples[i + 1].slope > 0);
             if (turns && !has_peak_within(workspace, low, high))
-                workspace->peaks[workspace->peak_count++] = solve_peak(workspace->solver, f, low, high);
+                workspace->peaks[workspace->peak_count++] = solve_slope(workspace->solver, f, low, high);
         }
         if (handled == workspace->peak_count) return;
         for (; handled < workspace->peak_count; handled++) {
@@ -497,6 +497,12 @@ static void find_break_points(reference_workspace *workspace, integrand *f, doub
         add_sample(workspace, f, end * i / (UNIFORM_SAMPLES - 1), end);
     add_seeds(workspace, f, end);
     find_peaks(workspace, f, end);
+    /* Between two closest approaches within a core, the ray may leave it for a moment. */
+    for (size_t i = 0, count = workspace->sample_count; i + 1 < count; i++) {
+        const sample *low = &workspace->samples[i], *high = &workspace->samples[i + 1];
+        if (low->slope > 0 && high->slope < 0)
+            add_sample(workspace, f, solve_slope(workspace->solver, f, low->x, high->x), end);
+    }
 
     /* The decay's own singularity is at s = -beta. */
     for (double s_plus_beta = 4 * f->beta; s_plus_beta < end + f->beta; s_plus_beta *= 4)
