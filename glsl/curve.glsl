@@ -79,6 +79,12 @@ float ew_reciprocal_difference(ew_arc arc, ew_passage passage, float s, out floa
     return ew_reciprocal_difference(passage, s, min(distance_x, distance_y), weight);
 }
 
+// Where start + s growth is 0; behind the ray if nowhere.
+float ew_zero(float start, float growth)
+{
+    return growth != 0.0 ? -start / growth : -1.0;
+}
+
 #ifdef EW_WEIGHTS
 // The s at which the nearest point, on its way from one weight piece to another, comes to the first knot: equation (12) is linear
 // in s. (Pieces count from tau = 0.)
@@ -88,12 +94,12 @@ float ew_next_knot(ew_arc arc, float from_piece, float to_piece)
     float knot = to_piece > from_piece ? floor(from_piece - start) + 1.0 : ceil(from_piece - start) - 1.0;
     float tau = arc.first + knot / max(arc.weights.y, 1.0);
     float left = ((arc.cubic * tau + arc.quadratic) * tau + arc.equation_start.x) * tau - arc.equation_start.y;
-    return left / (arc.equation_growth.y - arc.equation_growth.x * tau);
+    return ew_zero(left, arc.equation_growth.x * tau - arc.equation_growth.y);
 }
 #endif
 
-// Where the ray passes the point of the arc at `tau`; at an end of the arc, the distance from that end, which touches the arc's
-// where `is_end`, the end being nearest.
+// Where the ray passes the point of the arc, or of its extension, at `tau`. Where that `is_end`, the nearest point all along, or
+// `is_far` from any closest approach, the passage is that by the one point.
 ew_passage ew_passage_at(ew_arc arc, float tau, bool is_end, bool is_far)
 {
     float slope_y = arc.slope_y + 2.0 * arc.bend * tau;
@@ -168,20 +174,20 @@ float ew_integrate_curve(ew_segment segment, ew_curve_block curve)
     vec2 ends = vec2(arc.first, arc.last);
     vec2 excess_start = ((arc.cubic * ends + arc.quadratic) * ends + arc.equation_start.x) * ends - arc.equation_start.y;
     vec2 excess_growth = arc.equation_growth.x * ends - arc.equation_growth.y;
-    vec2 planes = -excess_start / excess_growth;
-    float jump = -arc.equation_start.y / arc.equation_growth.y;
-    if (!(arc.equation_start.x + jump * arc.equation_growth.x < 0.0))
+    vec2 planes = vec2(ew_zero(excess_start.x, excess_growth.x), ew_zero(excess_start.y, excess_growth.y));
+    float jump = ew_zero(arc.equation_start.y, arc.equation_growth.y);
+    if (arc.equation_start.x + jump * arc.equation_growth.x >= 0.0)
         jump = closest.x == closest.y ? -1.0 : 0.5 * (passings.x + passings.y);
     // Around a sharp bend it slows down abruptly, where the bend's centre of curvature is passed.
-    if (jump < 0.0 && arc.slope_x < 0.1 * arc.bend) jump = -arc.equation_start.x / arc.equation_growth.x;
+    if (jump < 0.0 && arc.slope_x < 0.1 * arc.bend) jump = ew_zero(arc.equation_start.x, arc.equation_growth.x);
 
     // Where one end becomes nearer than the other, if the nearest point is at an end there.
     vec2 ends_y = (arc.slope_y + arc.bend * ends) * ends;
     vec2 chord = vec2(arc.slope_x * (ends.y - ends.x), ends_y.y - ends_y.x);
     vec2 chord_middle = 0.5 * vec2(arc.slope_x * (ends.x + ends.y), ends_y.x + ends_y.y);
-    float bisector = dot(chord, chord_middle - arc.start.xy) / dot(chord, arc.direction.xy);
+    float bisector = ew_zero(dot(chord, arc.start.xy - chord_middle), dot(chord, arc.direction.xy));
     vec2 bisector_excess = excess_start + bisector * excess_growth;
-    if (!(bisector_excess.x > 0.0 && bisector_excess.y < 0.0)) bisector = -1.0;
+    if (bisector_excess.x <= 0.0 || bisector_excess.y >= 0.0) bisector = -1.0;
 
     float sum = 0.0;
     float from = 0.0;
@@ -205,9 +211,8 @@ float ew_integrate_curve(ew_segment segment, ew_curve_block curve)
         // Of the closest approaches, the nearer one of those on this arm.
         vec2 remoteness = abs(passings - middle) + vec2(closest.x * side < 0.0 ? 1e6 : 0.0, closest.y * side < 0.0 ? 1e6 : 0.0);
         float tau = is_first ? arc.first : is_last ? arc.last : remoteness.y < remoteness.x ? closest.y : closest.x;
-        float nearby = clamp(tau, arc.first - 0.5, arc.last + 0.5);
         bool is_end = is_first || is_last;
-        bool is_far = nearby != tau;
+        bool is_far = abs(tau - 0.5 * (arc.first + arc.last)) > 1.0;
         float probe = -1.0;
         if (is_end) probe = remoteness.x < remoteness.y ? passings.x : passings.y;
         if (is_end) probe = probe > from && probe < to ? probe : middle;

@@ -43,18 +43,18 @@ float ew_integrate_interval(EW_SHAPE shape, ew_passage passage, float from, floa
                          ew_reciprocal_difference(shape, passage, 1.0 / at.z - beta, piece.z),
                          ew_reciprocal_difference(shape, passage, 1.0 / at.w - beta, piece.w));
         bool is_last_try = panel > EW_MAX_PANELS - 6;
-        vec4 size = abs(rest);
-        float largest = max(max(size.x, size.y), max(size.z, size.w)) * abs(width);
+        vec4 size = abs(rest * width);
+        float largest = max(max(size.x, size.y), max(size.z, size.w));
+        float roughness = abs(dot(rest, differences)) + EW_SECOND_DIFFERENCE * abs(rest.x - rest.y - rest.z + rest.w);
         // Weights may wave inside of a panel, or jump; four values do not see that. But a panel may be too short to matter.
-        float second = rest.x - rest.y - rest.z + rest.w;
-        bool is_fine = (abs(dot(rest, differences)) + EW_SECOND_DIFFERENCE * abs(second)) * abs(width) <= allowance && (abs(piece.w - piece.x) <= 1.0 || largest <= 0.1*allowance);
-        if (is_probing) is_fine = largest <= 0.005 * allowance;
+        bool is_in_one_piece = abs(piece.w - piece.x) <= 1.0 || largest <= 0.1 * allowance;
+        bool is_fine = is_probing ? largest <= 0.005 * allowance : is_in_one_piece && roughness * abs(width) <= allowance;
         is_probing = false;
         if (is_fine || is_last_try) {
             sum += abs(width) * dot(weights, rest);
             starts_at_zero = false;
             v = v_next;
-            v_next = abs(v_end - v) < 1.5 * EW_PANEL_GROWTH * abs(width) || is_last_try ? v_end : v + (EW_PANEL_GROWTH) * width;
+            v_next = abs(v_end - v) < 1.5 * EW_PANEL_GROWTH * abs(width) || is_last_try ? v_end : v + EW_PANEL_GROWTH * width;
             if (v == v_end) {
                 if (is_last_side) break;
                 is_last_side = true;
