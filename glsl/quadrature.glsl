@@ -6,61 +6,63 @@ float ew_atanh_series(float z)
     return 1.0 / 3.0 + z * (1.0 / 5.0 + z * (1.0 / 7.0 + z * (1.0 / 9.0 + z * (1.0 / 11.0 + z * (1.0 / 13.0)))));
 }
 
-// Integral over y in [near, far] of 1 / (sqrt(b2 + k y^2) (y + sigma)^2), where y + sigma > 0.
+// Integral over s in [from, to] of 1 / (sqrt(b2 + k (s - s0)^2) (s + beta)^2).
 //
-// In v = 1 / (y + sigma), dy / (y + sigma)^2 = -dv and v^2 (b2 + k y^2) = c v^2 - 2 g v + k with g = k sigma and c = b2 + k sigma^2.
-// With d = sqrt(b2 + k y^2) and q = (v_near - v_far) / (v_near d_near + v_far d_far) the integral is
+// In v = 1 / (s + beta), ds / (s + beta)^2 = -dv and v^2 (b2 + k (s - s0)^2) = c v^2 - 2 g v + k with sigma = s0 + beta,
+// g = k sigma and c = b2 + k sigma^2. With d the root and q = (v_from - v_to) / (v_from d_from + v_to d_to) the integral is
 //
-//     q (v_near + v_far) + 2 g q^3 F(c q^2),
+//     q (v_from + v_to) + 2 g q^3 F(c q^2),
 //
 // in which nothing cancels while g >= 0. Where the ray passes the source closely, c q^2 nears 1; there atanh is half the
 // logarithm of a quotient, all factors of which are sums of positive numbers. Relative error 1e-6.
-float ew_integrate_reciprocal(float b2, float k, float sigma, float near, float far)
+float ew_integrate_reciprocal(float b2, float k, float s0, float from, float to)
 {
+    float beta = ew_frame.decay.x;
+    float sigma = s0 + beta;
     float g = k * sigma;
     float c = b2 + g * sigma;
-    float depth_near = sigma + near;
-    float depth_far = sigma + far;
-    float d_near = sqrt(b2 + k * near * near);
-    float d_far = sqrt(b2 + k * far * far);
-    float q = (far - near) / max(depth_far * d_near + depth_near * d_far, 1e-30); // an empty interval may lie at d = 0
+    float y_from = from - s0;
+    float y_to = to - s0;
+    float depth_from = from + beta;
+    float depth_to = to + beta;
+    float d_from = sqrt(b2 + k * y_from * y_from);
+    float d_to = sqrt(b2 + k * y_to * y_to);
+    float q = (to - from) / max(depth_to * d_from + depth_from * d_to, 1e-30); // an empty interval may lie at d = 0
 
-    // exp(|u|) up to common factors, where sinh u = (b2 - g y) / ((y + sigma) sqrt(b2 k)) is the substitution's variable.
+    // exp(|u|) up to common factors, where sinh u = (b2 - g y) / ((s + beta) sqrt(b2 k)) is the substitution's variable.
     float inverse_root_c = inversesqrt(max(c, 1e-30));
     float root_c = c * inverse_root_c;
-    float e_near = b2 - g * near;
-    float e_far = b2 - g * far;
-    float a_near = abs(e_near) + d_near * root_c;
-    float a_far = abs(e_far) + d_far * root_c;
-    float numerator = (e_near >= 0.0 ? a_near : depth_near) * (e_far >= 0.0 ? depth_far : a_far);
-    float denominator = (e_near >= 0.0 ? depth_near : a_near) * (e_far >= 0.0 ? a_far : depth_far);
-    if (e_near >= 0.0 && e_far < 0.0) denominator *= b2 * k;
+    float e_from = b2 - g * y_from;
+    float e_to = b2 - g * y_to;
+    float a_from = abs(e_from) + d_from * root_c;
+    float a_to = abs(e_to) + d_to * root_c;
+    float numerator = (e_from >= 0.0 ? a_from : depth_from) * (e_to >= 0.0 ? depth_to : a_to);
+    float denominator = (e_from >= 0.0 ? depth_from : a_from) * (e_to >= 0.0 ? a_to : depth_to);
+    if (e_from >= 0.0 && e_to < 0.0) denominator *= b2 * k;
 
     float z = c * q * q;
     float third = z < 0.1 ? q * q * q * ew_atanh_series(z)
                           : (0.5 * log(numerator / denominator) * inverse_root_c - q) * (inverse_root_c * inverse_root_c);
-    return q * (depth_near + depth_far) / (depth_near * depth_far) + 2.0 * g * third;
+    return q * (depth_from + depth_to) / (depth_from * depth_to) + 2.0 * g * third;
 }
 
 // Integral over s in [from, to] of 1 / (max(epsilon, sqrt(b2 + k (s - s0)^2)) (s + beta)^2): the core, in which the field is
 // constant, and the two sides of it.
 float ew_integrate_line_distance(float b2, float k, float s0, float from, float to)
 {
+    float beta = ew_frame.decay.x;
     float epsilon = ew_frame.decay.z;
-    float sigma = s0 + ew_frame.decay.x;
-    float near = from - s0;
-    float far = to - s0;
     float half_core = sqrt(max(epsilon * epsilon - b2, 0.0) / k);
-    float core_near = clamp(-half_core, near, far);
-    float core_far = clamp(half_core, near, far);
-    if (core_near == core_far) core_near = core_far = far;
-    float sum = (core_far - core_near) / (epsilon * (sigma + core_near) * (sigma + core_far));
+    float core_from = clamp(s0 - half_core, from, to);
+    float core_to = clamp(s0 + half_core, from, to);
+    if (core_from == core_to) core_from = core_to = to;
+    float sum = (core_to - core_from) / (epsilon * (core_from + beta) * (core_to + beta));
     // A loop and not two calls: most rays have no far side, and SIMD groups of them then skip it.
-    int sides = core_far < far ? 2 : 1;
+    int sides = core_to < to ? 2 : 1;
     for (int side = 0; side < sides; ++side) {
-        sum += ew_integrate_reciprocal(b2, k, sigma, near, core_near);
-        near = core_far;
-        core_near = far;
+        sum += ew_integrate_reciprocal(b2, k, s0, from, core_from);
+        from = core_to;
+        core_from = to;
     }
     return sum;
 }
