@@ -31,7 +31,7 @@ for scene in mix.json "$scenes"/*.json; do
     [ -e "$scene" ] || continue
     name=$(basename "$scene" .json)
     for backend in egl osmesa auto; do
-        "$ew_render" "$scene" -o "$name.$backend.png" --size 160x90 --backend $backend > /dev/null ||
+        "$ew_render" "$scene" -o "$name.$backend.png" --size 320x180 --backend $backend > /dev/null ||
             failures=$((failures + 1))
     done
     largest=256
