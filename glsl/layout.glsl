@@ -12,7 +12,7 @@ struct ew_frame_block {
     vec4 depth_start;   // window depth of S: x + y at pixel_center (a float and its rounding error), zw: growth a pixel right, up
     vec4 depth_end;     // likewise of E
     vec4 depth_scale;   // x, y: clip w of S and of E, negated both for reversed-Z; zw: unused
-    vec4 decay;         // x: beta, y: 1 / beta, z: epsilon, w: the bend that a panel of the adaptive integrator may have, relative to the integral
+    vec4 decay;         // x: beta, y: epsilon, z: how rough a panel of the adaptive integrator may be, relative to the integral
     ivec4 source_count; // points, lines, tori, curves
     ivec4 simpson;      // x: number of divisions
 };

@@ -51,7 +51,7 @@ float ew_integrate_reciprocal(float b2, float k, float s0, float from, float to)
 float ew_integrate_line_distance(float b2, float k, float s0, float from, float to)
 {
     float beta = ew_frame.decay.x;
-    float epsilon = ew_frame.decay.z;
+    float epsilon = ew_frame.decay.y;
     float half_core = sqrt(max(epsilon * epsilon - b2, 0.0) / k);
     float core_from = clamp(s0 - half_core, from, to);
     float core_to = clamp(s0 + half_core, from, to);
@@ -93,7 +93,7 @@ const float EW_PANEL_GROWTH = 3.0;
 // The difference of weight / max(epsilon, d) of the source and of the passage at s.
 float ew_reciprocal_difference(ew_passage passage, float s, float distance_squared, float weight)
 {
-    float epsilon2 = ew_square(ew_frame.decay.z);
+    float epsilon2 = ew_square(ew_frame.decay.y);
     float model = passage.b2 + passage.k * ew_square(s - passage.s0);
     ew_evaluation_count += 1;
     return weight * inversesqrt(max(distance_squared, epsilon2)) - passage.weight * inversesqrt(max(model, epsilon2));

@@ -10,7 +10,7 @@
 float ew_integrate_interval(EW_SHAPE shape, ew_passage passage, float from, float to, float probe, float so_far)
 {
     float beta = ew_frame.decay.x;
-    float tolerance = ew_frame.decay.w;
+    float tolerance = ew_frame.decay.z;
     float reciprocal = ew_integrate_line_distance(passage.b2, passage.k, passage.s0, from, to);
     float sum = passage.weight * reciprocal;
     float allowance = tolerance * (so_far + max(passage.weight, 0.02 * shape.mean_weight) * reciprocal);
@@ -21,7 +21,7 @@ float ew_integrate_interval(EW_SHAPE shape, ew_passage passage, float from, floa
     if (is_last_side) v_end = 1.0 / (to + beta);
     float v = v_center;
     // The first panel is no longer than the peak is wide, or it would not see how the source's peak differs from the passage's.
-    float peak = EW_FIRST_PANEL * sqrt(max(passage.b2, ew_square(ew_frame.decay.z)) / passage.k) * v_center * v_center;
+    float peak = EW_FIRST_PANEL * sqrt(max(passage.b2, ew_square(ew_frame.decay.y)) / passage.k) * v_center * v_center;
     if (probe >= 0.0) peak = 1e9;
     float v_next = v + clamp(v_end - v, -peak, peak);
     bool starts_at_zero = is_inside;

@@ -4,7 +4,7 @@
 // 1 / (max(epsilon, distance) (s + beta)^2): psi times zeta, (22).
 float ew_sample(float distance_squared, float s)
 {
-    float epsilon = ew_frame.decay.z;
+    float epsilon = ew_frame.decay.y;
     ew_evaluation_count += 1;
     return 1.0 / (sqrt(max(distance_squared, epsilon * epsilon)) * ew_square(s + ew_frame.decay.x));
 }

@@ -613,8 +613,7 @@ ew_result ew_scene_pack(ew_scene *scene, const ew_frame_desc *frame, struct ew_f
 
     *block = (struct ew_frame_block){0};
     pack_rays(frame, &space, block);
-    block->decay = (ew_vec4){(float)frame->decay_beta, (float)(1 / frame->decay_beta), (float)epsilon,
-                             (float)bend_tolerance(frame->quality)};
+    block->decay = (ew_vec4){(float)frame->decay_beta, (float)epsilon, (float)bend_tolerance(frame->quality), 0};
     block->source_count = (ew_ivec4){(int)scene->sources.point_count, (int)scene->sources.line_count,
                                      (int)scene->sources.torus_count, (int)scene->sources.curve_count};
     block->simpson.x = frame->simpson_divisions;
