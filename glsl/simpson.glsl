@@ -130,7 +130,7 @@ float ew_nearest_on_curve(ew_polynomial_curve curve, vec3 position, out float ne
     return least;
 }
 
-float ew_integrate_curve(ew_segment segment, ew_curve_block block)
+ew_polynomial_curve ew_make_polynomial_curve(ew_curve_block block)
 {
     ew_polynomial_curve curve;
     curve.c0 = block.origin.xyz;
@@ -139,6 +139,12 @@ float ew_integrate_curve(ew_segment segment, ew_curve_block block)
     curve.has_vertex = block.axis_y.w == 0.0 && block.axis_z.w > 0.0;
     curve.first = block.domain.x;
     curve.last = block.domain.y;
+    return curve;
+}
+
+float ew_integrate_curve(ew_segment segment, ew_curve_block block)
+{
+    ew_polynomial_curve curve = ew_make_polynomial_curve(block);
     int divisions = ew_frame.simpson.x;
     float step_length = segment.end / float(divisions);
     float sum = 0.0;

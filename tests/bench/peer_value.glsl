@@ -35,14 +35,7 @@ struct peer_curve {
 
 peer_curve peer_make_curve(ew_curve_block block)
 {
-    ew_polynomial_curve polynomial;
-    polynomial.c0 = block.origin.xyz;
-    polynomial.c1 = block.axis_x.w * block.axis_x.xyz + block.axis_y.w * block.axis_y.xyz;
-    polynomial.c2 = block.axis_z.w * block.axis_y.xyz;
-    polynomial.has_vertex = block.axis_y.w == 0.0 && block.axis_z.w > 0.0;
-    polynomial.first = block.domain.x;
-    polynomial.last = block.domain.y;
-    return peer_curve(polynomial, block.domain.zw);
+    return peer_curve(ew_make_polynomial_curve(block), block.domain.zw);
 }
 
 float peer_value(ew_segment segment, peer_curve curve, float s)
