@@ -25,6 +25,7 @@ static const char help[] =
     "      --size WxH          in pixels (default 512x512)\n"
     "      --pixels N          how many pixels to compare (default: 4000, fewer for many sources)\n"
     "      --full              compare all pixels\n"
+    "      --sorted            print the results at the end, those furthest beyond (or nearest to) their bounds first\n"
     "      --csv FILE          append a line for each scene and integrator; a new file gets a header\n"
     "      --heatmap FILE.png  where the errors of the last scene and integrator are\n"
     "      --check             fail unless every adaptive integrator keeps the error that it is named by (and\n"
@@ -49,8 +50,22 @@ typedef struct command_line {
     bool pixels_given;
     const char *csv;
     const char *heatmap;
+    bool sorted;
     bool check;
 } command_line;
+
+/* What one comparison found, for people. */
+typedef struct result_line {
+    double excess; /* over the bound that is exceeded most; below 1 where all are kept */
+    char text[400];
+} result_line;
+
+/* What the comparisons found so far. */
+typedef struct accuracy_results {
+    result_line *lines; /* room for every scene and integrator */
+    size_t line_count;
+    bool wrong; /* a check failed */
+} accuracy_results;
 
 /* ---- The command line -----------------------------------------------------------------------------------------------------
  */
@@ -120,6 +135,7 @@ enum {
     OPTION_SIZE,
     OPTION_PIXELS,
     OPTION_FULL,
+    OPTION_SORTED,
     OPTION_CSV,
     OPTION_HEATMAP,
     OPTION_CHECK,
@@ -131,6 +147,7 @@ static const struct option long_options[] = {{"integrators", required_argument, 
                                              {"size", required_argument, NULL, OPTION_SIZE},
                                              {"pixels", required_argument, NULL, OPTION_PIXELS},
                                              {"full", no_argument, NULL, OPTION_FULL},
+                                             {"sorted", no_argument, NULL, OPTION_SORTED},
                                              {"csv", required_argument, NULL, OPTION_CSV},
                                              {"heatmap", required_argument, NULL, OPTION_HEATMAP},
                                              {"check", no_argument, NULL, OPTION_CHECK},
@@ -159,6 +176,9 @@ static bool read_options(int argc, char **argv, command_line *options)
         case OPTION_FULL:
             options->pixels = 0;
             options->pixels_given = true;
+            break;
+        case OPTION_SORTED:
+            options->sorted = true;
             break;
         case OPTION_CSV:
             options->csv = optarg;
@@ -216,8 +236,17 @@ static bool write_csv(const command_line *options, const char *scene, const name
     return fclose(file) == 0;
 }
 
+/* How far beyond its bounds a comparison is, as a factor; without bounds, its error. */
+static double excess(const named_integrator *integrator, const picture_comparison *comparison)
+{
+    if (comparison->bad_count) return HUGE_VAL;
+    if (isinf(integrator->largest_error)) return comparison->largest_error;
+    return fmax(comparison->largest_error / integrator->largest_error, comparison->percentile_99 / integrator->percentile_99);
+}
+
 static bool report(const command_line *options, const char *path, const named_integrator *integrator, const char *renderer,
-                   const true_pixels *truth, const drawn_picture *picture, int *status, char *message, size_t size)
+                   const true_pixels *truth, const drawn_picture *picture, accuracy_results *results, char *message,
+                   size_t size)
 {
     picture_comparison comparison;
     if (!comparison_make(truth, picture, &comparison)) {
@@ -225,20 +254,28 @@ static bool report(const command_line *options, const char *path, const named_in
         return false;
     }
     const char *name = strrchr(path, '/') ? strrchr(path, '/') + 1 : path;
-    bool ok = comparison.largest_error <= integrator->largest_error && comparison.percentile_99 <= integrator->percentile_99 &&
-              comparison.bad_count == 0;
-    printf("%-40s %-13s max %.1e at (%d, %d): %.6g for %.6g; 99 %%: %.1e", name, integrator->name, comparison.largest_error,
-           comparison.worst_x, comparison.worst_y, comparison.worst_luminance, comparison.worst_truth,
-           comparison.percentile_99);
-    if (comparison.bad_count) printf("; %zu pixels are negative, infinite or no number", comparison.bad_count);
-    if (options->check && !ok) printf("  WRONG");
-    puts("");
-    if (options->check && !ok) *status = EXIT_WRONG;
+    result_line *line = &results->lines[results->line_count++];
+    line->excess = excess(integrator, &comparison);
+    bool wrong = options->check && line->excess > 1 && (comparison.bad_count || isfinite(integrator->largest_error));
+    char bad[80] = "";
+    if (comparison.bad_count)
+        snprintf(bad, sizeof bad, "; %zu pixels are negative, infinite or no number", comparison.bad_count);
+    snprintf(line->text, sizeof line->text, "%-44s %-13s max %.1e at (%3d, %3d): %.6g for %.6g; 99 %%: %.1e%s%s", name,
+             integrator->name, comparison.largest_error, comparison.worst_x, comparison.worst_y, comparison.worst_luminance,
+             comparison.worst_truth, comparison.percentile_99, bad, wrong ? "  WRONG" : "");
+    if (!options->sorted) puts(line->text);
+    results->wrong = results->wrong || wrong;
     if (options->csv && !write_csv(options, name, integrator, renderer, truth, &comparison)) {
         snprintf(message, size, "%s: cannot be written", options->csv);
         return false;
     }
     return !options->heatmap || heatmap_write(options->heatmap, truth, picture, message, size);
+}
+
+static int compare_lines(const void *a, const void *b)
+{
+    const result_line *first = a, *second = b;
+    return (first->excess < second->excess) - (first->excess > second->excess);
 }
 
 /* A scene that is being compared, and its picture by each of the integrators; a single one has another one beside it. */
@@ -271,8 +308,8 @@ static bool draw_pictures(const command_line *options, gl_context *context, comp
     return true;
 }
 
-static bool compare_pictures(const command_line *options, const char *renderer, const compared_scene *compared, int *status,
-                             char *message, size_t size)
+static bool compare_pictures(const command_line *options, const char *renderer, const compared_scene *compared,
+                             accuracy_results *results, char *message, size_t size)
 {
     const drawn_picture *pictures = compared->pictures;
     int threads = (int)sysconf(_SC_NPROCESSORS_ONLN);
@@ -291,18 +328,18 @@ static bool compare_pictures(const command_line *options, const char *renderer, 
         ok = true_pixels_refine(&compared->rays, &pictures[i], other, threads, &truth);
         if (!ok) snprintf(message, size, "%s: memory is exhausted", compared->path);
         ok = ok &&
-             report(options, compared->path, &options->integrators[i], renderer, &truth, &pictures[i], status, message, size);
+             report(options, compared->path, &options->integrators[i], renderer, &truth, &pictures[i], results, message, size);
     }
     if (truth.unreliable_count)
         printf("%s: the reference does not vouch for %zu of %zu pixels\n", compared->path, truth.unreliable_count, truth.count);
-    if (options->check && (misses || truth.unreliable_count * 100 > truth.count)) *status = EXIT_WRONG;
+    if (options->check && (misses || truth.unreliable_count * 100 > truth.count)) results->wrong = true;
     true_pixels_free(&truth);
     return ok;
 }
 
-/* Compares one scene; sets *status if a check fails. On failure returns false, with a message. */
-static bool compare_scene(const command_line *options, gl_context *context, const char *path, int *status, char *message,
-                          size_t size)
+/* Compares one scene. On failure returns false, with a message. */
+static bool compare_scene(const command_line *options, gl_context *context, const char *path, accuracy_results *results,
+                          char *message, size_t size)
 {
     compared_scene compared = {.path = path};
     if (!scene_load(path, &compared.scene, message, size)) return false;
@@ -311,7 +348,7 @@ static bool compare_scene(const command_line *options, gl_context *context, cons
         snprintf(message, size, "%s: memory is exhausted", path);
     } else {
         ok = draw_pictures(options, context, &compared, message, size) &&
-             compare_pictures(options, context_description(context), &compared, status, message, size);
+             compare_pictures(options, context_description(context), &compared, results, message, size);
         for (size_t i = 0; i < compared.picture_count; i++)
             picture_free(&compared.pictures[i]);
         scene_rays_free(&compared.rays);
@@ -334,12 +371,18 @@ int main(int argc, char **argv)
         return EXIT_NO_CONTEXT;
     }
     puts(context_description(context));
-    int status = EXIT_SUCCESS;
-    for (int i = optind; i < argc; i++)
-        if (!compare_scene(&options, context, argv[i], &status, message, sizeof message)) {
+    accuracy_results results = {.lines = malloc((size_t)(argc - optind) * options.integrator_count * sizeof *results.lines)};
+    bool bad_input = !results.lines;
+    if (bad_input) fprintf(stderr, "ew-accuracy: memory is exhausted\n");
+    for (int i = optind; results.lines && i < argc; i++)
+        if (!compare_scene(&options, context, argv[i], &results, message, sizeof message)) {
             fprintf(stderr, "ew-accuracy: %s\n", message);
-            status = EXIT_BAD_INPUT;
+            bad_input = true;
         }
+    qsort(results.lines, results.line_count, sizeof *results.lines, compare_lines);
+    for (size_t i = 0; options.sorted && i < results.line_count; i++)
+        puts(results.lines[i].text);
+    free(results.lines);
     context_destroy(context);
-    return status;
+    return bad_input ? EXIT_BAD_INPUT : results.wrong ? EXIT_WRONG : EXIT_SUCCESS;
 }
