@@ -69,11 +69,16 @@ void scene_rays_free(scene_rays *rays)
     opaque_free_mesh(&rays->mesh);
 }
 
+/* Of the plane at view depth 1. */
+static double half_height(const scene_rays *rays)
+{
+    return rays->camera.orthographic ? rays->camera.height / 2 : tan(rays->camera.fov_y_degrees * M_PI / 360);
+}
+
 /* The ray's points are origin + z direction, z being the view depth. */
 static void view_ray(const scene_rays *rays, double x, double y, double origin[3], double direction[3])
 {
-    double half_height = rays->camera.orthographic ? rays->camera.height / 2 : tan(rays->camera.fov_y_degrees * M_PI / 360);
-    double u = (2 * x - rays->width) / rays->height * half_height, v = (2 * y / rays->height - 1) * half_height;
+    double u = (2 * x - rays->width) / rays->height * half_height(rays), v = (2 * y / rays->height - 1) * half_height(rays);
     for (int i = 0; i < 3; i++) {
         double across = u * rays->right[i] + v * rays->up[i];
         origin[i] = rays->camera.orthographic ? across : 0;
@@ -95,11 +100,27 @@ reference_ray scene_rays_ray(const scene_rays *rays, double x, double y, double 
     return ray;
 }
 
+void scene_rays_project(const scene_rays *rays, const double place[3], double *x, double *y, double *view_depth)
+{
+    *view_depth = vector_dot(rays->forward, place);
+    double scale = half_height(rays) * (rays->camera.orthographic ? 1 : *view_depth);
+    *x = 0.5 * (rays->width + vector_dot(rays->right, place) / scale * rays->height);
+    *y = 0.5 * rays->height * (1 + vector_dot(rays->up, place) / scale);
+}
+
 double scene_rays_stored_depth(const scene_rays *rays, double stored)
 {
     double near_depth = rays->camera.near_depth, far_depth = rays->camera.far_depth;
     if (rays->camera.orthographic) return near_depth + stored * (far_depth - near_depth);
     return 1 / ((1 - stored) / near_depth + stored / far_depth);
+}
+
+float scene_rays_depth_to_store(const scene_rays *rays, double view_depth)
+{
+    double near_depth = rays->camera.near_depth, far_depth = rays->camera.far_depth;
+    if (!(view_depth < far_depth)) return 1;
+    double share = (view_depth - near_depth) / (far_depth - near_depth);
+    return (float)(rays->camera.orthographic ? share : share * far_depth / view_depth);
 }
 
 double scene_rays_cast(const scene_rays *rays, double x, double y)

@@ -30,8 +30,14 @@ void scene_rays_free(scene_rays *rays);
  * at the view depth `opaque_depth`, which may be HUGE_VAL. */
 reference_ray scene_rays_ray(const scene_rays *rays, double x, double y, double opaque_depth);
 
+/* Where a place relative to the eye is seen, in pixels from the lower left corner, and its view depth. */
+void scene_rays_project(const scene_rays *rays, const double place[3], double *x, double *y, double *view_depth);
+
 /* The view depth that a value of the depth buffer stands for. A cleared buffer's 1 is the far plane. */
 double scene_rays_stored_depth(const scene_rays *rays, double stored);
+
+/* What the depth buffer holds where the nearest surface is at a view depth; 1 beyond the far plane. */
+float scene_rays_depth_to_store(const scene_rays *rays, double view_depth);
 
 /* The view depth of the nearest opaque triangle at (x, y) between the near and the far plane; HUGE_VAL where there is none. */
 double scene_rays_cast(const scene_rays *rays, double x, double y);

@@ -1,0 +1,485 @@
+/*
+ * ew-accuracy-random: the library's luminance of thousands of random scenes against the double-precision reference, at a few
+ * dozen pixels of each.
+ */
+#include "context.h"
+#include "core_pixels.h"
+#include "random_numbers.h"
+#include "random_scene.h"
+#include "reference.h"
+#include "render.h"
+#include "scene_file.h"
+#include "scene_rays.h"
+
+#include <getopt.h>
+#include <math.h>
+#include <pthread.h>
+#include <stdatomic.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+enum { EXIT_WRONG = 1, EXIT_BAD_INPUT = 2, EXIT_NO_CONTEXT = 77 };
+enum { MAX_THREADS = 64, MAX_SCENES = 1000000 };
+
+/* Of a picture of SIDE x SIDE pixels, a few square windows are drawn. */
+enum { SIDE = 512, WINDOW = 4, WINDOW_COUNT = 3, PIXEL_COUNT = WINDOW_COUNT * WINDOW * WINDOW };
+
+/* The bounds: of every pixel, and of 99.9 % of them. */
+#define LARGEST_ERROR 1e-2
+#define USUAL_ERROR 1e-3
+#define UNUSUAL_SHARE 1e-3
+
+/* Errors are relative to the truth or, where it is darker, to this share of the largest truth of the scene. */
+#define DARK 1e-3
+
+static const char help[] =
+    "Usage: ew-accuracy-random [option]...\n"
+    "Compares the luminance that the library draws of random scenes with a reference in double precision, at 48 pixels of "
+    "each,\n"
+    "two thirds of them on the sources and close around.\n"
+    "\n"
+    "      --scenes N       how many (default 2000)\n"
+    "      --seed N         the first scene's seed (default 1); the others have those that follow\n"
+    "      --kind NAME      only scenes of this kind: point, line, torus, curve, \"weighted curve\", \"two curves\", mix, "
+    "many\n"
+    "      --quality E      1e-2, 1e-3 (default) or 1e-4\n"
+    "      --worst N        how many of the worst scenes to list (default 20)\n"
+    "      --backend NAME   egl, osmesa or auto (default)\n"
+    "      --write FILE     writes the first scene as a scene file, and draws nothing\n"
+    "      --check          fail if a pixel is wrong by more than 1e-2, more than 0.1 % of them by more than 1e-3, one is\n"
+    "                       negative, infinite or no number, or if the reference does not vouch for 1 % of them\n"
+    "\n"
+    "The list of the worst says for each scene what `ew-accuracy-random --seed SEED --write scene.json` and\n"
+    "`ew-accuracy scene.json --size 512x512` need: the seed and the pixel. Its last column is by how much the truth itself\n"
+    "changes when the ray's ends are rounded to single precision.\n"
+    "\n"
+    "Exit status: 0; 1 if a check failed; 2 for bad input; 77 if there is no such context.\n";
+
+typedef struct command_line {
+    size_t scenes;
+    unsigned long long seed;
+    int kind; /* -1 for all */
+    ew_quality quality;
+    size_t worst;
+    context_backend backend;
+    const char *write;
+    bool check;
+} command_line;
+
+/* A pixel that was drawn, and later the truth. */
+typedef struct random_pixel {
+    int x, y;
+    float depth; /* as stored */
+    float luminance;
+    bool reliable;
+    double truth;
+    double error;
+} random_pixel;
+
+typedef struct random_picture {
+    uint64_t seed;
+    random_scene_kind kind;
+    random_pixel pixels[PIXEL_COUNT];
+    const random_pixel *worst;
+    double sensitivity; /* of the worst pixel's truth */
+} random_picture;
+
+/* ---- Drawing ------------------------------------------------------------------------------------------------------------ */
+
+typedef struct window_stage {
+    const gl_functions *gl;
+    render_settings settings; /* of one window */
+    render_target target;
+    ew_effect *effect;
+} window_stage;
+
+static bool load_scene(uint64_t seed, ew_scene *scene, scene_rays *rays, char *message, size_t size)
+{
+    char name[40];
+    char *text = random_scene_text(seed);
+    snprintf(name, sizeof name, "random scene %llu", (unsigned long long)seed);
+    if (!text) {
+        snprintf(message, size, "%s: memory is exhausted", name);
+        return false;
+    }
+    bool ok = scene_parse(text, strlen(text), name, scene, message, size);
+    free(text);
+    if (ok && !scene_rays_create(scene, SIDE, SIDE, rays)) {
+        scene_free(scene);
+        snprintf(message, size, "%s: memory is exhausted", name);
+        ok = false;
+    }
+    return ok;
+}
+
+/* Two windows where sources are seen, if any are, and one anywhere. */
+static void choose_windows(const scene_rays *rays, uint64_t seed, random_pixel pixels[PIXEL_COUNT])
+{
+    uint64_t random = ~seed;
+    for (int window = 0; window < WINDOW_COUNT; window++) {
+        int x = (int)random_index(&random, SIDE), y = (int)random_index(&random, SIDE);
+        for (int attempt = 0; window > 0 && attempt < 20; attempt++)
+            if (random_core_pixel(rays, &random, &x, &y)) break;
+        int left = x < WINDOW / 2 ? 0 : x > SIDE - WINDOW / 2 ? SIDE - WINDOW : x - WINDOW / 2;
+        int bottom = y < WINDOW / 2 ? 0 : y > SIDE - WINDOW / 2 ? SIDE - WINDOW : y - WINDOW / 2;
+        for (int i = 0; i < WINDOW * WINDOW; i++) {
+            random_pixel *pixel = &pixels[window * WINDOW * WINDOW + i];
+            *pixel = (random_pixel){.x = left + i % WINDOW, .y = bottom + i / WINDOW};
+            pixel->depth = scene_rays_depth_to_store(rays, scene_rays_cast(rays, pixel->x + 0.5, pixel->y + 0.5));
+        }
+    }
+}
+
+static bool draw_window(window_stage *stage, const ew_scene *scene, ew_quality quality, random_pixel *pixels, ew_error *error)
+{
+    const gl_functions *gl = stage->gl;
+    float values[WINDOW * WINDOW];
+    for (int i = 0; i < WINDOW * WINDOW; i++)
+        values[i] = pixels[i].depth;
+    gl->BindTexture(GL_TEXTURE_2D, stage->target.depth);
+    gl->TexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT32F, WINDOW, WINDOW, 0, GL_DEPTH_COMPONENT, GL_FLOAT, values);
+    gl->BindTexture(GL_TEXTURE_2D, 0);
+
+    render_settings settings = {.width = SIDE, .height = SIDE, .integrator = EW_INTEGRATOR_ADAPTIVE, .quality = quality};
+    ew_frame_desc frame = render_frame(scene, &settings, &stage->target);
+    frame.framebuffer = stage->target.luminance_framebuffer;
+    frame.output = EW_OUTPUT_LUMINANCE;
+    frame.viewport_x = -pixels[0].x;
+    frame.viewport_y = -pixels[0].y;
+    if (ew_draw(stage->effect, &frame, error)) return false;
+    gl->BindFramebuffer(GL_FRAMEBUFFER, stage->target.luminance_framebuffer);
+    gl->ReadPixels(0, 0, WINDOW, WINDOW, GL_RED, GL_FLOAT, values);
+    gl->BindFramebuffer(GL_FRAMEBUFFER, 0);
+    for (int i = 0; i < WINDOW * WINDOW; i++)
+        pixels[i].luminance = values[i];
+    return true;
+}
+
+static bool draw_picture(window_stage *stage, ew_quality quality, random_picture *picture, char *message, size_t size)
+{
+    ew_scene scene;
+    scene_rays rays;
+    ew_error error;
+    if (!load_scene(picture->seed, &scene, &rays, message, size)) return false;
+    choose_windows(&rays, picture->seed, picture->pixels);
+    bool ok = !ew_set_sources(stage->effect, &scene.sources, &error);
+    for (int window = 0; ok && window < WINDOW_COUNT; window++)
+        ok = draw_window(stage, &scene, quality, &picture->pixels[window * WINDOW * WINDOW], &error);
+    if (!ok) snprintf(message, size, "random scene %llu: %s", (unsigned long long)picture->seed, error.text);
+    scene_rays_free(&rays);
+    scene_free(&scene);
+    return ok;
+}
+
+static bool draw_pictures(gl_context *context, ew_quality quality, random_picture *pictures, size_t count, char *message,
+                          size_t size)
+{
+    window_stage stage = {.gl = context_gl(context), .settings = {.width = WINDOW, .height = WINDOW}};
+    ew_effect_desc desc = {.get_proc_address = context_get_proc_address, .user = context};
+    ew_error error;
+    if (!render_create_target(stage.gl, &stage.settings, &stage.target, message, size)) return false;
+    bool ok = !ew_create_effect(&desc, &stage.effect, &error);
+    if (!ok) snprintf(message, size, "%s", error.text);
+    for (size_t i = 0; ok && i < count; i++)
+        ok = draw_picture(&stage, quality, &pictures[i], message, size);
+    ew_destroy_effect(stage.effect);
+    render_destroy_target(stage.gl, &stage.target);
+    return ok;
+}
+
+/* ---- The truth ---------------------------------------------------------------------------------------------------------- */
+
+typedef struct truth_job {
+    random_picture *pictures;
+    size_t count;
+    atomic_size_t next;
+    atomic_bool failed;
+} truth_job;
+
+static void round_to_float(double place[3])
+{
+    for (int i = 0; i < 3; i++)
+        place[i] = (double)(float)place[i];
+}
+
+static double luminance_error(const random_pixel *pixel, double floor)
+{
+    double difference = fabs((double)pixel->luminance - pixel->truth);
+    if (!isfinite(pixel->luminance) || pixel->luminance < 0) return HUGE_VAL;
+    return difference == 0 ? 0 : difference / fmax(pixel->truth, floor);
+}
+
+static void compute_truth(reference_workspace *workspace, const scene_rays *rays, random_picture *picture)
+{
+    double largest = 0;
+    reference_value sum;
+    for (int i = 0; i < PIXEL_COUNT; i++) {
+        random_pixel *pixel = &picture->pixels[i];
+        double opaque_depth = scene_rays_stored_depth(rays, (double)pixel->depth);
+        reference_ray ray = scene_rays_ray(rays, pixel->x + 0.5, pixel->y + 0.5, opaque_depth);
+        pixel->reliable = reference_luminance(workspace, &rays->sources, &ray, &sum, NULL);
+        pixel->truth = sum.luminance;
+        largest = fmax(largest, pixel->truth);
+    }
+    picture->worst = &picture->pixels[0];
+    for (int i = 0; i < PIXEL_COUNT; i++) {
+        random_pixel *pixel = &picture->pixels[i];
+        pixel->error = luminance_error(pixel, DARK * largest);
+        if (!pixel->reliable && isfinite(pixel->error)) pixel->error = 0;
+        if (pixel->error > picture->worst->error) picture->worst = pixel;
+    }
+    const random_pixel *worst = picture->worst;
+    reference_ray ray =
+        scene_rays_ray(rays, worst->x + 0.5, worst->y + 0.5, scene_rays_stored_depth(rays, (double)worst->depth));
+    round_to_float(ray.start);
+    round_to_float(ray.end);
+    reference_luminance(workspace, &rays->sources, &ray, &sum, NULL);
+    picture->sensitivity =
+        sum.luminance == worst->truth ? 0 : fabs(sum.luminance - worst->truth) / fmax(worst->truth, DARK * largest);
+}
+
+static void *compute_truths(void *user)
+{
+    truth_job *job = user;
+    reference_workspace *workspace = reference_create_workspace();
+    for (size_t i; workspace && (i = atomic_fetch_add(&job->next, 1)) < job->count;) {
+        ew_scene scene;
+        scene_rays rays;
+        char message[300];
+        if (!load_scene(job->pictures[i].seed, &scene, &rays, message, sizeof message)) {
+            atomic_store(&job->failed, true);
+            break;
+        }
+        compute_truth(workspace, &rays, &job->pictures[i]);
+        scene_rays_free(&rays);
+        scene_free(&scene);
+    }
+    if (!workspace) atomic_store(&job->failed, true);
+    reference_destroy_workspace(workspace);
+    return NULL;
+}
+
+/* On as many threads as there are processors. Returns false where memory is exhausted. */
+static bool compute_all_truths(random_picture *pictures, size_t count)
+{
+    truth_job job = {.pictures = pictures, .count = count};
+    pthread_t threads[MAX_THREADS];
+    long processors = sysconf(_SC_NPROCESSORS_ONLN);
+    int started = 0;
+    while (started < processors - 1 && started < MAX_THREADS &&
+           pthread_create(&threads[started], NULL, compute_truths, &job) == 0)
+        started++;
+    compute_truths(&job);
+    for (int i = 0; i < started; i++)
+        pthread_join(threads[i], NULL);
+    return !atomic_load(&job.failed);
+}
+
+/* ---- The report --------------------------------------------------------------------------------------------------------- */
+
+typedef struct error_counts {
+    size_t scenes, pixels, unreliable, bad, unusual, wrong;
+    double largest;
+} error_counts;
+
+static void count_errors(const random_picture *picture, error_counts *counts)
+{
+    counts->scenes++;
+    for (int i = 0; i < PIXEL_COUNT; i++) {
+        const random_pixel *pixel = &picture->pixels[i];
+        counts->pixels++;
+        counts->unreliable += !pixel->reliable;
+        counts->bad += !isfinite(pixel->error);
+        counts->unusual += pixel->error > USUAL_ERROR;
+        counts->wrong += pixel->error > LARGEST_ERROR;
+        counts->largest = fmax(counts->largest, pixel->error);
+    }
+}
+
+static void print_counts(const char *name, const error_counts *counts)
+{
+    if (counts->scenes > 0)
+        printf("%-15s %6zu %8zu %10.2e %8zu %7.3f %% %8zu %6zu %10zu\n", name, counts->scenes, counts->pixels, counts->largest,
+               counts->unusual, 100.0 * (double)counts->unusual / (double)counts->pixels, counts->wrong, counts->bad,
+               counts->unreliable);
+}
+
+static int compare_pictures(const void *a, const void *b)
+{
+    const random_picture *first = a, *second = b;
+    double first_error = first->worst->error, second_error = second->worst->error;
+    if (first_error != second_error) return first_error < second_error ? 1 : -1;
+    return (first->seed > second->seed) - (first->seed < second->seed);
+}
+
+/* Prints what was found; returns whether the bounds are kept. The pictures may come in any order. */
+static bool report(const random_picture **pictures, size_t count, size_t worst)
+{
+    error_counts all = {0}, kinds[RANDOM_SCENE_KIND_COUNT] = {{0}};
+    for (size_t i = 0; i < count; i++) {
+        count_errors(pictures[i], &all);
+        count_errors(pictures[i], &kinds[pictures[i]->kind]);
+    }
+    printf("%-15s %6s %8s %10s %8s %9s %8s %6s %10s\n", "kind", "scenes", "pixels", "largest", "> 1e-3", "", "> 1e-2", "bad",
+           "unreliable");
+    for (int kind = 0; kind < RANDOM_SCENE_KIND_COUNT; kind++)
+        print_counts(random_scene_kind_names[kind], &kinds[kind]);
+    print_counts("all", &all);
+    if (worst > 0)
+        printf("\n%-10s %-15s %-10s %10s %13s %13s %11s\n", "seed", "kind", "pixel", "error", "luminance", "truth",
+               "rounded ray");
+    for (size_t i = 0; i < count && i < worst; i++) {
+        const random_pixel *pixel = pictures[i]->worst;
+        char place[24];
+        snprintf(place, sizeof place, "%d,%d", pixel->x, pixel->y);
+        printf("%-10llu %-15s %-10s %10.2e %13.6g %13.6g %11.1e\n", (unsigned long long)pictures[i]->seed,
+               random_scene_kind_names[pictures[i]->kind], place, pixel->error, (double)pixel->luminance, pixel->truth,
+               pictures[i]->sensitivity);
+    }
+    return all.wrong == 0 && all.bad == 0 && (double)all.unusual <= UNUSUAL_SHARE * (double)all.pixels &&
+           all.unreliable * 100 <= all.pixels;
+}
+
+static int compare_picture_pointers(const void *a, const void *b)
+{
+    return compare_pictures(*(const random_picture *const *)a, *(const random_picture *const *)b);
+}
+
+static bool report_worst_first(const random_picture *pictures, size_t count, size_t worst, bool *kept)
+{
+    const random_picture **order = malloc((count + 1) * sizeof *order);
+    if (!order) return false;
+    for (size_t i = 0; i < count; i++)
+        order[i] = &pictures[i];
+    qsort(order, count, sizeof *order, compare_picture_pointers);
+    *kept = report(order, count, worst);
+    free(order);
+    return true;
+}
+
+/* ---- The command line --------------------------------------------------------------------------------------------------- */
+
+static bool read_number(const char *text, unsigned long long most, unsigned long long *number)
+{
+    char *end;
+    *number = strtoull(text, &end, 10);
+    return *text >= '0' && *text <= '9' && *end == '\0' && *number <= most;
+}
+
+/* The index of `text` in a list of names; -1 if it is not there. */
+static int find_name(const char *const *names, int count, const char *text)
+{
+    for (int i = 0; i < count && names[i]; i++)
+        if (strcmp(names[i], text) == 0) return i;
+    return -1;
+}
+
+/* Returns false for bad input; getopt has said why where it is an option that does not exist. */
+static bool read_options(int argc, char **argv, command_line *options)
+{
+    static const char *const qualities[] = {"1e-2", "1e-3", "1e-4"};
+    static const struct option long_options[] = {
+        {"scenes", required_argument, NULL, 'n'}, {"seed", required_argument, NULL, 's'},
+        {"kind", required_argument, NULL, 'k'},   {"quality", required_argument, NULL, 'q'},
+        {"worst", required_argument, NULL, 'w'},  {"backend", required_argument, NULL, 'b'},
+        {"write", required_argument, NULL, 'o'},  {"check", no_argument, NULL, 'c'},
+        {"help", no_argument, NULL, 'h'},         {NULL, 0, NULL, 0}};
+    for (int option; (option = getopt_long(argc, argv, "", long_options, NULL)) != -1;) {
+        bool ok = true;
+        unsigned long long number = 0;
+        int index = 0;
+        switch (option) {
+        case 'n':
+            ok = read_number(optarg, MAX_SCENES, &number) && number > 0;
+            options->scenes = (size_t)number;
+            break;
+        case 's':
+            ok = read_number(optarg, ~0ull, &options->seed);
+            break;
+        case 'k':
+            options->kind = find_name(random_scene_kind_names, RANDOM_SCENE_KIND_COUNT, optarg);
+            ok = options->kind >= 0;
+            break;
+        case 'q':
+            ok = (index = find_name(qualities, 3, optarg)) >= 0;
+            options->quality = (ew_quality)(EW_QUALITY_ERROR_1E_2 + index);
+            break;
+        case 'w':
+            ok = read_number(optarg, MAX_SCENES, &number);
+            options->worst = (size_t)number;
+            break;
+        case 'b':
+            ok = (index = find_name(context_backend_names, 8, optarg)) >= 0;
+            options->backend = (context_backend)index;
+            break;
+        case 'o':
+            options->write = optarg;
+            break;
+        case 'c':
+            options->check = true;
+            break;
+        case 'h':
+            fputs(help, stdout);
+            exit(EXIT_SUCCESS);
+        default:
+            return false;
+        }
+        if (!ok) {
+            fprintf(stderr, "ew-accuracy-random: \"%s\" is not what the option takes; see --help\n", optarg);
+            return false;
+        }
+    }
+    if (optind == argc) return true;
+    fprintf(stderr, "ew-accuracy-random: %s: is not an option; see --help\n", argv[optind]);
+    return false;
+}
+
+static int write_scene(const command_line *options)
+{
+    char *text = random_scene_text(options->seed);
+    FILE *file = text ? fopen(options->write, "w") : NULL;
+    bool ok = file && fputs(text, file) >= 0;
+    if (file) ok = fclose(file) == 0 && ok;
+    free(text);
+    if (ok) return EXIT_SUCCESS;
+    fprintf(stderr, "ew-accuracy-random: %s: cannot be written\n", options->write);
+    return EXIT_BAD_INPUT;
+}
+
+int main(int argc, char **argv)
+{
+    command_line options = {.scenes = 2000, .seed = 1, .kind = -1, .quality = EW_QUALITY_ERROR_1E_3, .worst = 20};
+    char message[600];
+    if (!read_options(argc, argv, &options)) return EXIT_BAD_INPUT;
+    if (options.write) return write_scene(&options);
+    /* Mesa's EGL would add lines of its own to the one that says why there is no context. */
+    setenv("EGL_LOG_LEVEL", "fatal", 0);
+    gl_context *context = context_create(options.backend, message, sizeof message);
+    if (!context) {
+        printf("SKIPPED: %s\n", message);
+        return EXIT_NO_CONTEXT;
+    }
+    puts(context_description(context));
+
+    random_picture *pictures = calloc(options.scenes, sizeof *pictures);
+    snprintf(message, sizeof message, "memory is exhausted");
+    bool ok = pictures, kept = false;
+    uint64_t seed = options.seed;
+    for (size_t i = 0; ok && i < options.scenes; seed++) {
+        random_scene_kind kind = random_scene_kind_of(seed);
+        if (options.kind >= 0 && (int)kind != options.kind) continue;
+        pictures[i].seed = seed;
+        pictures[i++].kind = kind;
+    }
+    ok = ok && draw_pictures(context, options.quality, pictures, options.scenes, message, sizeof message);
+    if (ok) {
+        snprintf(message, sizeof message, "memory is exhausted");
+        ok = compute_all_truths(pictures, options.scenes) && report_worst_first(pictures, options.scenes, options.worst, &kept);
+    }
+    free(pictures);
+    context_destroy(context);
+    if (!ok) fprintf(stderr, "ew-accuracy-random: %s\n", message);
+    return !ok ? EXIT_BAD_INPUT : options.check && !kept ? EXIT_WRONG : EXIT_SUCCESS;
+}

@@ -1,0 +1,37 @@
+/*
+ * Scenes made up at random, as the text of scene files: of every kind of source, shape, size, core, interval and decay that the
+ * library is held to.
+ */
+#ifndef RANDOM_SCENE_H
+#define RANDOM_SCENE_H
+
+#include <stdint.h>
+
+/* What a scene consists of. */
+typedef enum random_scene_kind {
+    RANDOM_POINT,
+    RANDOM_LINE,
+    RANDOM_TORUS,
+    RANDOM_CURVE,
+    RANDOM_WEIGHTED_CURVE,
+    RANDOM_TWO_CURVES,
+    RANDOM_MIX,  /* one of each */
+    RANDOM_MANY, /* five of each */
+    RANDOM_SCENE_KIND_COUNT,
+} random_scene_kind;
+
+extern const char *const random_scene_kind_names[RANDOM_SCENE_KIND_COUNT];
+
+/* The kind of the scene of a seed. */
+random_scene_kind random_scene_kind_of(uint64_t seed);
+
+/* The scene of a seed, always the same, to be freed by the caller; NULL where memory is exhausted.
+ *
+ * The camera looks from the distance D, from 1e-3 to 1e5, at a place on the first source, or near it; what it sees there is
+ * from 1e-4 D high (but at least 20 epsilons) to 3 D. epsilon is from 1e-6 D to 1e-1 D: in a single precision's world it is a
+ * length relative to the scene that can be small or large, not an absolute one. Sources are from 3e-3 D to 5 D long, the
+ * interval's end / start from 1.2 to 1e4, beta from 0.05 to 4, and all of it up to 1e5 D from the world's origin. Every second
+ * scene has an opaque plane or box before, in or behind the core. One eye in twenty is within a core. */
+char *random_scene_text(uint64_t seed);
+
+#endif
