@@ -23,8 +23,9 @@
 enum { EXIT_WRONG = 1, EXIT_BAD_INPUT = 2, EXIT_NO_CONTEXT = 77 };
 enum { MAX_THREADS = 64, MAX_SCENES = 1000000 };
 
-/* Of a picture of SIDE x SIDE pixels, a few square windows are drawn. */
-enum { SIDE = 512, WINDOW = 4, WINDOW_COUNT = 3, PIXEL_COUNT = WINDOW_COUNT * WINDOW * WINDOW };
+/* Of a picture of SIDE x SIDE pixels, a few square windows are drawn: one anywhere, two on the sources, and one where a preview
+ * of the whole picture is brightest, since errors are relative to that. */
+enum { SIDE = 512, PREVIEW = 16, WINDOW = 4, WINDOW_COUNT = 4, PIXEL_COUNT = WINDOW_COUNT * WINDOW * WINDOW };
 
 /* The bounds: of every pixel, and of 99.9 % of them. */
 #define LARGEST_ERROR 1e-2
@@ -88,14 +89,24 @@ typedef struct random_picture {
 
 /* ---- Drawing ------------------------------------------------------------------------------------------------------------ */
 
+typedef struct window_target {
+    render_settings settings;
+    render_target gl;
+} window_target;
+
 typedef struct window_stage {
     const gl_functions *gl;
-    render_settings settings; /* of one window */
-    render_target target;
+    ew_quality quality;
+    window_target window, preview;
     ew_effect *effect;
 } window_stage;
 
-static bool load_scene(uint64_t seed, ew_scene *scene, scene_rays *rays, char *message, size_t size)
+typedef struct window_scene {
+    ew_scene scene;
+    scene_rays rays;
+} window_scene;
+
+static bool load_scene(uint64_t seed, window_scene *scene, char *message, size_t size)
 {
     char name[40];
     char *text = random_scene_text(seed);
@@ -104,88 +115,132 @@ static bool load_scene(uint64_t seed, ew_scene *scene, scene_rays *rays, char *m
         snprintf(message, size, "%s: memory is exhausted", name);
         return false;
     }
-    bool ok = scene_parse(text, strlen(text), name, scene, message, size);
+    bool ok = scene_parse(text, strlen(text), name, &scene->scene, message, size);
     free(text);
-    if (ok && !scene_rays_create(scene, SIDE, SIDE, rays)) {
-        scene_free(scene);
+    if (ok && !scene_rays_create(&scene->scene, SIDE, SIDE, &scene->rays)) {
+        scene_free(&scene->scene);
         snprintf(message, size, "%s: memory is exhausted", name);
         ok = false;
     }
     return ok;
 }
 
-/* Two windows where sources are seen, if any are, and one anywhere. */
-static void choose_windows(const scene_rays *rays, uint64_t seed, random_pixel pixels[PIXEL_COUNT])
+static void free_scene(window_scene *scene)
 {
-    uint64_t random = ~seed;
-    for (int window = 0; window < WINDOW_COUNT; window++) {
-        int x = (int)random_index(&random, SIDE), y = (int)random_index(&random, SIDE);
-        for (int attempt = 0; window > 0 && attempt < 20; attempt++)
-            if (random_core_pixel(rays, &random, &x, &y)) break;
-        int left = x < WINDOW / 2 ? 0 : x > SIDE - WINDOW / 2 ? SIDE - WINDOW : x - WINDOW / 2;
-        int bottom = y < WINDOW / 2 ? 0 : y > SIDE - WINDOW / 2 ? SIDE - WINDOW : y - WINDOW / 2;
-        for (int i = 0; i < WINDOW * WINDOW; i++) {
-            random_pixel *pixel = &pixels[window * WINDOW * WINDOW + i];
-            *pixel = (random_pixel){.x = left + i % WINDOW, .y = bottom + i / WINDOW};
-            pixel->depth = scene_rays_depth_to_store(rays, scene_rays_cast(rays, pixel->x + 0.5, pixel->y + 0.5));
-        }
+    scene_rays_free(&scene->rays);
+    scene_free(&scene->scene);
+}
+
+/* A window's lower left corner, for a pixel in its middle. */
+static void window_around(int x, int y, int corner[2])
+{
+    const int middle[2] = {x, y};
+    for (int i = 0; i < 2; i++) {
+        corner[i] = middle[i] - WINDOW / 2;
+        if (corner[i] < 0) corner[i] = 0;
+        if (corner[i] > SIDE - WINDOW) corner[i] = SIDE - WINDOW;
     }
 }
 
-static bool draw_window(window_stage *stage, const ew_scene *scene, ew_quality quality, random_pixel *pixels, ew_error *error)
+/* Draws the luminance of a part of a picture of `side` x `side` pixels: of as many from `corner` on as the target has. */
+static bool draw_part(const window_stage *stage, const window_target *target, const window_scene *scene, int side,
+                      const int corner[2], float *depth, float *luminance, ew_error *error)
 {
     const gl_functions *gl = stage->gl;
-    float values[WINDOW * WINDOW];
-    for (int i = 0; i < WINDOW * WINDOW; i++)
-        values[i] = pixels[i].depth;
-    gl->BindTexture(GL_TEXTURE_2D, stage->target.depth);
-    gl->TexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT32F, WINDOW, WINDOW, 0, GL_DEPTH_COMPONENT, GL_FLOAT, values);
+    int width = target->settings.width, height = target->settings.height;
+    for (int i = 0; i < width * height; i++) {
+        double scale = (double)SIDE / side, x = corner[0] + i % width + 0.5, y = corner[1] + i / width + 0.5;
+        depth[i] = scene_rays_depth_to_store(&scene->rays, scene_rays_cast(&scene->rays, scale * x, scale * y));
+    }
+    gl->BindTexture(GL_TEXTURE_2D, target->gl.depth);
+    gl->TexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT32F, width, height, 0, GL_DEPTH_COMPONENT, GL_FLOAT, depth);
     gl->BindTexture(GL_TEXTURE_2D, 0);
 
-    render_settings settings = {.width = SIDE, .height = SIDE, .integrator = EW_INTEGRATOR_ADAPTIVE, .quality = quality};
-    ew_frame_desc frame = render_frame(scene, &settings, &stage->target);
-    frame.framebuffer = stage->target.luminance_framebuffer;
+    render_settings settings = {.width = side, .height = side, .integrator = EW_INTEGRATOR_ADAPTIVE, .quality = stage->quality};
+    ew_frame_desc frame = render_frame(&scene->scene, &settings, &target->gl);
+    frame.framebuffer = target->gl.luminance_framebuffer;
     frame.output = EW_OUTPUT_LUMINANCE;
-    frame.viewport_x = -pixels[0].x;
-    frame.viewport_y = -pixels[0].y;
+    frame.viewport_x = -corner[0];
+    frame.viewport_y = -corner[1];
     if (ew_draw(stage->effect, &frame, error)) return false;
-    gl->BindFramebuffer(GL_FRAMEBUFFER, stage->target.luminance_framebuffer);
-    gl->ReadPixels(0, 0, WINDOW, WINDOW, GL_RED, GL_FLOAT, values);
+    gl->BindFramebuffer(GL_FRAMEBUFFER, target->gl.luminance_framebuffer);
+    gl->ReadPixels(0, 0, width, height, GL_RED, GL_FLOAT, luminance);
     gl->BindFramebuffer(GL_FRAMEBUFFER, 0);
-    for (int i = 0; i < WINDOW * WINDOW; i++)
-        pixels[i].luminance = values[i];
     return true;
 }
 
-static bool draw_picture(window_stage *stage, ew_quality quality, random_picture *picture, char *message, size_t size)
+/* The window where the preview is brightest; what is no number is no light. */
+static bool find_brightest(const window_stage *stage, const window_scene *scene, int corner[2], ew_error *error)
 {
-    ew_scene scene;
-    scene_rays rays;
+    float depth[PREVIEW * PREVIEW], luminance[PREVIEW * PREVIEW];
+    if (!draw_part(stage, &stage->preview, scene, PREVIEW, (const int[2]){0, 0}, depth, luminance, error)) return false;
+    int brightest = 0;
+    for (int i = 0; i < PREVIEW * PREVIEW; i++)
+        if (luminance[i] > luminance[brightest] && isfinite(luminance[i])) brightest = i;
+    window_around((2 * (brightest % PREVIEW) + 1) * SIDE / (2 * PREVIEW),
+                  (2 * (brightest / PREVIEW) + 1) * SIDE / (2 * PREVIEW), corner);
+    return true;
+}
+
+static bool draw_windows(const window_stage *stage, const window_scene *scene, random_picture *picture, ew_error *error)
+{
+    uint64_t random = ~picture->seed;
+    int corners[WINDOW_COUNT][2];
+    for (int window = 0; window < WINDOW_COUNT; window++) {
+        int x = (int)random_index(&random, SIDE), y = (int)random_index(&random, SIDE);
+        for (int attempt = 0; window > 0 && attempt < 20; attempt++)
+            if (random_core_pixel(&scene->rays, &random, &x, &y)) break;
+        window_around(x, y, corners[window]);
+    }
+    if (!find_brightest(stage, scene, corners[WINDOW_COUNT - 1], error)) return false;
+    for (int window = 0; window < WINDOW_COUNT; window++) {
+        float depth[WINDOW * WINDOW], luminance[WINDOW * WINDOW];
+        if (!draw_part(stage, &stage->window, scene, SIDE, corners[window], depth, luminance, error)) return false;
+        for (int i = 0; i < WINDOW * WINDOW; i++)
+            picture->pixels[window * WINDOW * WINDOW + i] = (random_pixel){
+                .x = corners[window][0] + i % WINDOW,
+                .y = corners[window][1] + i / WINDOW,
+                .depth = depth[i],
+                .luminance = luminance[i],
+            };
+    }
+    return true;
+}
+
+static bool draw_picture(const window_stage *stage, random_picture *picture, char *message, size_t size)
+{
+    window_scene scene;
     ew_error error;
-    if (!load_scene(picture->seed, &scene, &rays, message, size)) return false;
-    choose_windows(&rays, picture->seed, picture->pixels);
-    bool ok = !ew_set_sources(stage->effect, &scene.sources, &error);
-    for (int window = 0; ok && window < WINDOW_COUNT; window++)
-        ok = draw_window(stage, &scene, quality, &picture->pixels[window * WINDOW * WINDOW], &error);
+    if (!load_scene(picture->seed, &scene, message, size)) return false;
+    bool ok = !ew_set_sources(stage->effect, &scene.scene.sources, &error) && draw_windows(stage, &scene, picture, &error);
     if (!ok) snprintf(message, size, "random scene %llu: %s", (unsigned long long)picture->seed, error.text);
-    scene_rays_free(&rays);
-    scene_free(&scene);
+    free_scene(&scene);
     return ok;
+}
+
+static bool create_target(const gl_functions *gl, int side, window_target *target, char *message, size_t size)
+{
+    target->settings = (render_settings){.width = side, .height = side};
+    return render_create_target(gl, &target->settings, &target->gl, message, size);
 }
 
 static bool draw_pictures(gl_context *context, ew_quality quality, random_picture *pictures, size_t count, char *message,
                           size_t size)
 {
-    window_stage stage = {.gl = context_gl(context), .settings = {.width = WINDOW, .height = WINDOW}};
+    window_stage stage = {.gl = context_gl(context), .quality = quality};
     ew_effect_desc desc = {.get_proc_address = context_get_proc_address, .user = context};
     ew_error error;
-    if (!render_create_target(stage.gl, &stage.settings, &stage.target, message, size)) return false;
-    bool ok = !ew_create_effect(&desc, &stage.effect, &error);
-    if (!ok) snprintf(message, size, "%s", error.text);
-    for (size_t i = 0; ok && i < count; i++)
-        ok = draw_picture(&stage, quality, &pictures[i], message, size);
-    ew_destroy_effect(stage.effect);
-    render_destroy_target(stage.gl, &stage.target);
+    if (!create_target(stage.gl, WINDOW, &stage.window, message, size)) return false;
+    bool ok = create_target(stage.gl, PREVIEW, &stage.preview, message, size);
+    if (ok) {
+        ok = !ew_create_effect(&desc, &stage.effect, &error);
+        if (!ok) snprintf(message, size, "%s", error.text);
+        for (size_t i = 0; ok && i < count; i++)
+            ok = draw_picture(&stage, &pictures[i], message, size);
+        ew_destroy_effect(stage.effect);
+        render_destroy_target(stage.gl, &stage.preview.gl);
+    }
+    render_destroy_target(stage.gl, &stage.window.gl);
     return ok;
 }
 
@@ -245,16 +300,14 @@ static void *compute_truths(void *user)
     truth_job *job = user;
     reference_workspace *workspace = reference_create_workspace();
     for (size_t i; workspace && (i = atomic_fetch_add(&job->next, 1)) < job->count;) {
-        ew_scene scene;
-        scene_rays rays;
+        window_scene scene;
         char message[300];
-        if (!load_scene(job->pictures[i].seed, &scene, &rays, message, sizeof message)) {
+        if (!load_scene(job->pictures[i].seed, &scene, message, sizeof message)) {
             atomic_store(&job->failed, true);
             break;
         }
-        compute_truth(workspace, &rays, &job->pictures[i]);
-        scene_rays_free(&rays);
-        scene_free(&scene);
+        compute_truth(workspace, &scene.rays, &job->pictures[i]);
+        free_scene(&scene);
     }
     if (!workspace) atomic_store(&job->failed, true);
     reference_destroy_workspace(workspace);
@@ -306,16 +359,8 @@ static void print_counts(const char *name, const error_counts *counts)
                counts->unreliable);
 }
 
-static int compare_pictures(const void *a, const void *b)
-{
-    const random_picture *first = a, *second = b;
-    double first_error = first->worst->error, second_error = second->worst->error;
-    if (first_error != second_error) return first_error < second_error ? 1 : -1;
-    return (first->seed > second->seed) - (first->seed < second->seed);
-}
-
-/* Prints what was found; returns whether the bounds are kept. The pictures may come in any order. */
-static bool report(const random_picture **pictures, size_t count, size_t worst)
+/* Prints what was found, of pictures that are sorted; returns whether the bounds are kept. */
+static bool report(const random_picture *const *pictures, size_t count, size_t worst)
 {
     error_counts all = {0}, kinds[RANDOM_SCENE_KIND_COUNT] = {{0}};
     for (size_t i = 0; i < count; i++) {
@@ -342,9 +387,12 @@ static bool report(const random_picture **pictures, size_t count, size_t worst)
            all.unreliable * 100 <= all.pixels;
 }
 
-static int compare_picture_pointers(const void *a, const void *b)
+static int compare_pictures(const void *a, const void *b)
 {
-    return compare_pictures(*(const random_picture *const *)a, *(const random_picture *const *)b);
+    const random_picture *first = *(const random_picture *const *)a, *second = *(const random_picture *const *)b;
+    double first_error = first->worst->error, second_error = second->worst->error;
+    if (first_error != second_error) return first_error < second_error ? 1 : -1;
+    return (first->seed > second->seed) - (first->seed < second->seed);
 }
 
 static bool report_worst_first(const random_picture *pictures, size_t count, size_t worst, bool *kept)
@@ -353,7 +401,7 @@ static bool report_worst_first(const random_picture *pictures, size_t count, siz
     if (!order) return false;
     for (size_t i = 0; i < count; i++)
         order[i] = &pictures[i];
-    qsort(order, count, sizeof *order, compare_picture_pointers);
+    qsort(order, count, sizeof *order, compare_pictures);
     *kept = report(order, count, worst);
     free(order);
     return true;
