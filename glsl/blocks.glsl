@@ -1,41 +1,45 @@
-// The uniform blocks. Each array is as long as the context's uniform blocks allow.
+// The uniform block: the frame and, one after the other, all points, lines, tori, curves and weight pieces.
+//
+// EW_..._COUNT is 0 for a kind that the shader does not know, a literal for few sources, so that loops unroll and the block is
+// read at constant places (a software rasteriser gathers from each lane otherwise), and else the frame's own count.
 
-layout(std140) uniform ew_frame_uniforms
+layout(std140) uniform ew_uniforms
 {
     ew_frame_block ew_frame;
+    vec4 ew_source_data[EW_SOURCE_DATA_SIZE];
 };
 
-#ifdef EW_POINTS
-layout(std140) uniform ew_point_uniforms
-{
-    ew_point_block ew_points[EW_POINT_CAPACITY];
-};
-#endif
+#define EW_LINE_START (EW_POINT_COUNT * EW_POINT_SIZE)
+#define EW_TORUS_START (EW_LINE_START + EW_LINE_COUNT * EW_LINE_SIZE)
+#define EW_CURVE_START (EW_TORUS_START + EW_TORUS_COUNT * EW_TORUS_SIZE)
+#define EW_WEIGHT_START (EW_CURVE_START + EW_CURVE_COUNT * EW_CURVE_SIZE)
 
-#ifdef EW_LINES
-layout(std140) uniform ew_line_uniforms
+ew_point_block ew_point(int i)
 {
-    ew_line_block ew_lines[EW_LINE_CAPACITY];
-};
-#endif
+    int at = i * EW_POINT_SIZE;
+    return ew_point_block(ew_source_data[at], ew_source_data[at + 1]);
+}
 
-#ifdef EW_TORI
-layout(std140) uniform ew_torus_uniforms
+ew_line_block ew_line(int i)
 {
-    ew_torus_block ew_tori[EW_TORUS_CAPACITY];
-};
-#endif
+    int at = EW_LINE_START + i * EW_LINE_SIZE;
+    return ew_line_block(ew_source_data[at], ew_source_data[at + 1], ew_source_data[at + 2]);
+}
 
-#ifdef EW_CURVES
-layout(std140) uniform ew_curve_uniforms
+ew_torus_block ew_torus(int i)
 {
-    ew_curve_block ew_curves[EW_CURVE_CAPACITY];
-};
-#endif
+    int at = EW_TORUS_START + i * EW_TORUS_SIZE;
+    return ew_torus_block(ew_source_data[at], ew_source_data[at + 1], ew_source_data[at + 2]);
+}
 
-#ifdef EW_WEIGHTS
-layout(std140) uniform ew_weight_uniforms
+ew_curve_block ew_curve(int i)
 {
-    ew_weight_block ew_weight_pieces[EW_WEIGHT_CAPACITY];
-};
-#endif
+    int at = EW_CURVE_START + i * EW_CURVE_SIZE;
+    return ew_curve_block(ew_source_data[at], ew_source_data[at + 1], ew_source_data[at + 2], ew_source_data[at + 3],
+                          ew_source_data[at + 4], ew_source_data[at + 5]);
+}
+
+ew_weight_block ew_weight_piece(int i)
+{
+    return ew_weight_block(ew_source_data[EW_WEIGHT_START + i]);
+}

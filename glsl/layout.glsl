@@ -1,5 +1,5 @@
-// What C and GLSL share: the uniform blocks' structures (std140; all members are vec4 or ivec4, so the C structures have the
-// same layout) and their binding points. Included by src/layout.h and put first into every shader.
+// What C and GLSL share: the uniform block's structures (std140; all members are vec4 or ivec4, so the C structures have the
+// same layout) and how many vec4 each source takes. Included by src/layout.h and put first into every shader.
 //
 // Ray space: the shader's unit of length is the interval, its origin (the anchor) the point of the viewing axis at view depth
 // interval_start, its axes are the view's. A ray is L(s) = S + s V with S.z = 0 and V.z = -1, and s runs from 0 to 1.
@@ -50,10 +50,8 @@ struct ew_weight_block {
     vec4 polynomial;
 };
 
-#define EW_FRAME_BINDING 0
-#define EW_POINT_BINDING 1
-#define EW_LINE_BINDING 2
-#define EW_TORUS_BINDING 3
-#define EW_CURVE_BINDING 4
-#define EW_WEIGHT_BINDING 5
-#define EW_BINDING_COUNT 6
+#define EW_POINT_SIZE 2
+#define EW_LINE_SIZE 3
+#define EW_TORUS_SIZE 3
+#define EW_CURVE_SIZE 6
+#define EW_WEIGHT_SIZE 1

@@ -5,6 +5,6 @@ float ew_weight(float place, float first, float count)
     float scaled = clamp(place, 0.0, 1.0) * count;
     float piece = min(floor(scaled), count - 1.0);
     float f = scaled - piece;
-    vec3 polynomial = ew_weight_pieces[int(first + piece)].polynomial.xyz;
+    vec3 polynomial = ew_weight_piece(int(first + piece)).polynomial.xyz;
     return polynomial.x + f * (polynomial.y + f * polynomial.z);
 }

@@ -1,29 +1,29 @@
 /* The effect: sources, shader permutations and GL objects together. */
 #include "energywave.h"
 
+#include "allocator.h"
 #include "error.h"
 #include "gl.h"
 #include "program.h"
 #include "scene.h"
 #include "state_guard.h"
 
-#include <stdlib.h>
-
 struct ew_effect {
+    ew_allocator allocator;
     ew_gl gl;
-    ew_capacity capacity;
+    size_t capacity; /* units of sources */
     ew_scene scene;
     ew_program_cache programs;
     GLuint vertex_array;
     GLuint sampler; /* reads depth as it is, whatever the texture's own parameters say */
-    GLuint buffers[EW_BINDING_COUNT];
+    GLuint uniform_buffer;
 };
 
 static void create_objects(ew_effect *effect)
 {
     const ew_gl *gl = &effect->gl;
     gl->GenVertexArrays(1, &effect->vertex_array);
-    gl->GenBuffers(EW_BINDING_COUNT, effect->buffers);
+    gl->GenBuffers(1, &effect->uniform_buffer);
     gl->GenSamplers(1, &effect->sampler);
     gl->SamplerParameteri(effect->sampler, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     gl->SamplerParameteri(effect->sampler, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
@@ -36,11 +36,16 @@ ew_result ew_create_effect(const ew_effect_desc *desc, ew_effect **effect, ew_er
         return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "desc and its get_proc_address must not be NULL");
     if (!effect) return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "effect must not be NULL");
 
-    ew_effect *made = calloc(1, sizeof *made);
+    const ew_allocator *allocator = desc->allocator ? desc->allocator : &ew_default_allocator;
+    if (!allocator->allocate || !allocator->deallocate)
+        return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "desc->allocator's allocate and deallocate must not be NULL");
+
+    ew_effect *made = allocator->allocate(allocator->user, sizeof *made);
     if (!made) return ew_fail(error, EW_ERROR_OUT_OF_MEMORY, "no memory for an effect of %zu bytes", sizeof *made);
+    *made = (ew_effect){.allocator = *allocator};
     ew_result result = ew_gl_load(&made->gl, desc->get_proc_address, desc->user, error);
     if (result != EW_OK) {
-        free(made);
+        allocator->deallocate(allocator->user, made);
         return result;
     }
     made->capacity = ew_scene_capacity((size_t)made->gl.max_uniform_block_size);
@@ -54,53 +59,34 @@ void ew_destroy_effect(ew_effect *effect)
 {
     if (!effect) return;
     const ew_gl *gl = &effect->gl;
-    ew_program_cache_destroy(&effect->programs, gl);
+    const ew_allocator allocator = effect->allocator;
+    ew_program_cache_destroy(&effect->programs, gl, &allocator);
     gl->DeleteSamplers(1, &effect->sampler);
-    gl->DeleteBuffers(EW_BINDING_COUNT, effect->buffers);
+    gl->DeleteBuffers(1, &effect->uniform_buffer);
     gl->DeleteVertexArrays(1, &effect->vertex_array);
-    ew_scene_destroy(&effect->scene);
-    free(effect);
+    ew_scene_destroy(&effect->scene, &allocator);
+    allocator.deallocate(allocator.user, effect);
 }
 
 ew_result ew_set_sources(ew_effect *effect, const ew_sources_desc *sources, ew_error *error)
 {
     if (!effect) return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "effect must not be NULL");
-    ew_scene scene;
-    ew_result result = ew_scene_create(sources, &effect->capacity, &scene, error);
-    if (result != EW_OK) return result;
-    ew_scene_destroy(&effect->scene);
-    effect->scene = scene;
-    return EW_OK;
+    return ew_scene_set(&effect->scene, sources, effect->capacity, &effect->allocator, error);
 }
 
-/* Writes `used` bytes to the start of a block of `size` bytes. The storage is orphaned first: the GPU may still be reading what
- * the last frame left there, and waiting for it would stall. */
-static void upload(const ew_effect *effect, GLuint binding, size_t size, const void *data, size_t used)
+/* Fills the uniform buffer. Its storage is orphaned first: the GPU may still be reading what the last frame left there, and
+ * waiting for it would stall. Orphaning leaves it to the driver to keep as many copies as frames are under way, which a ring of
+ * our own would have to guess, or learn from fences; and the buffer is small enough that a new one costs the driver nothing. */
+static void upload(const ew_effect *effect, const struct ew_frame_block *frame)
 {
     const ew_gl *gl = &effect->gl;
-    if (used == 0) return;
-    gl->BindBuffer(GL_UNIFORM_BUFFER, effect->buffers[binding]);
-    gl->BufferData(GL_UNIFORM_BUFFER, (GLsizeiptr)size, NULL, GL_STREAM_DRAW);
-    gl->BufferSubData(GL_UNIFORM_BUFFER, 0, (GLsizeiptr)used, data);
-    gl->BindBufferBase(GL_UNIFORM_BUFFER, binding, effect->buffers[binding]);
-}
-
-static void upload_all(const ew_effect *effect, const struct ew_frame_block *frame)
-{
     const ew_scene *scene = &effect->scene;
-    const ew_sources_desc *sources = &scene->sources;
-    const ew_capacity *capacity = &effect->capacity;
-    upload(effect, EW_FRAME_BINDING, sizeof *frame, frame, sizeof *frame);
-    upload(effect, EW_POINT_BINDING, capacity->points * sizeof *scene->points, scene->points,
-           sources->point_count * sizeof *scene->points);
-    upload(effect, EW_LINE_BINDING, capacity->lines * sizeof *scene->lines, scene->lines,
-           sources->line_count * sizeof *scene->lines);
-    upload(effect, EW_TORUS_BINDING, capacity->tori * sizeof *scene->tori, scene->tori,
-           sources->torus_count * sizeof *scene->tori);
-    upload(effect, EW_CURVE_BINDING, capacity->curves * sizeof *scene->curves, scene->curves,
-           sources->curve_count * sizeof *scene->curves);
-    upload(effect, EW_WEIGHT_BINDING, capacity->weight_pieces * sizeof *scene->weight_pieces, scene->weight_pieces,
-           scene->weight_piece_count * sizeof *scene->weight_pieces);
+    size_t size = sizeof *frame + effect->capacity * sizeof(ew_vec4);
+    gl->BindBuffer(GL_UNIFORM_BUFFER, effect->uniform_buffer);
+    gl->BufferData(GL_UNIFORM_BUFFER, (GLsizeiptr)size, NULL, GL_STREAM_DRAW);
+    gl->BufferSubData(GL_UNIFORM_BUFFER, 0, sizeof *frame, frame);
+    if (scene->source_data_size > 0)
+        gl->BufferSubData(GL_UNIFORM_BUFFER, sizeof *frame, (GLsizeiptr)scene->source_data_size, scene->source_data);
 }
 
 static ew_gl_draw_state draw_state(const ew_frame_desc *frame)
@@ -123,8 +109,8 @@ static ew_result draw(ew_effect *effect, const ew_frame_desc *frame, const struc
 {
     const ew_gl *gl = &effect->gl;
     GLuint program;
-    ew_result result =
-        ew_program_get(&effect->programs, gl, &effect->capacity, ew_program_key(&effect->scene, frame), &program, error);
+    ew_result result = ew_program_get(&effect->programs, gl, effect->capacity, &effect->allocator,
+                                      ew_program_key(&effect->scene, frame), &program, error);
     if (result != EW_OK) return result;
 
     ew_gl_draw_state wanted = draw_state(frame);
@@ -132,7 +118,8 @@ static ew_result draw(ew_effect *effect, const ew_frame_desc *frame, const struc
     if (gl->CheckFramebufferStatus(GL_DRAW_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
         return ew_fail(error, EW_ERROR_OPENGL, "framebuffer %u is not complete", frame->framebuffer);
 
-    upload_all(effect, block);
+    upload(effect, block);
+    gl->BindBufferBase(GL_UNIFORM_BUFFER, EW_GL_UNIFORM_BINDING, effect->uniform_buffer);
     if (frame->depth_texture) {
         gl->ActiveTexture(GL_TEXTURE0 + EW_GL_DEPTH_TEXTURE_UNIT);
         gl->BindTexture(GL_TEXTURE_2D, frame->depth_texture);

@@ -63,16 +63,18 @@ extern "C" {
 #define EW_VERSION_MINOR 1
 #define EW_VERSION_PATCH 0
 
-/* The most sources of a kind that an effect takes. A context whose uniform blocks are smaller than 64 KiB (the least that GL
- * and GLES promise is 16 KiB) takes fewer, in proportion; the error says how many. */
-#define EW_MAX_POINTS 1024
-#define EW_MAX_LINES 1024
-#define EW_MAX_TORI 1024
-#define EW_MAX_CURVES 512
-/* The most weights of one curve, and the most polynomial pieces that the weights of all curves may make together: a curve
- * with n weights makes n - 2 pieces, at least one. */
+/* The sources of an effect share one uniform block, of which a point takes 2 units of 16 bytes, a line and a torus 3, a curve
+ * 6, and a curve with n weights n - 2 more, at least one. Together they take at most EW_MAX_SOURCE_UNITS; a context whose
+ * uniform blocks are smaller than 64 KiB (the least that GL and GLES promise is 16 KiB) takes fewer, in proportion, and the
+ * error says how many. */
+#define EW_MAX_SOURCE_UNITS 4064
+/* The most of a kind, if there is no other. */
+#define EW_MAX_POINTS (EW_MAX_SOURCE_UNITS / 2)
+#define EW_MAX_LINES (EW_MAX_SOURCE_UNITS / 3)
+#define EW_MAX_TORI (EW_MAX_SOURCE_UNITS / 3)
+#define EW_MAX_CURVES (EW_MAX_SOURCE_UNITS / 6)
+/* The most weights of one curve. */
 #define EW_MAX_WEIGHTS 1024
-#define EW_MAX_WEIGHT_PIECES 4096
 
 /* The largest number of divisions that EW_INTEGRATOR_SIMPSON takes. */
 #define EW_MAX_SIMPSON_DIVISIONS 4096
@@ -178,22 +180,35 @@ typedef struct ew_effect ew_effect;
 
 typedef void (*ew_gl_function)(void);
 
+/* Where an effect's memory comes from. Both functions are called on the threads that call the effect's. */
+typedef struct ew_allocator {
+    /* Returns `size` > 0 bytes, aligned as malloc aligns them, or NULL if there are none: then the call that needed them fails
+     * with EW_ERROR_OUT_OF_MEMORY. */
+    void *(*allocate)(void *user, size_t size);
+    /* Takes back what `allocate` returned; never NULL. */
+    void (*deallocate)(void *user, void *memory);
+    void *user; /* handed to both */
+} ew_allocator;
+
 typedef struct ew_effect_desc {
     /* Returns the GL function called `name` of the current context, or NULL: eglGetProcAddress, glfwGetProcAddress,
      * SDL_GL_GetProcAddress or OSMesaGetProcAddress in a one-line wrapper. Called during ew_create_effect only. */
     ew_gl_function (*get_proc_address)(void *user, const char *name);
     void *user; /* handed to get_proc_address */
+    /* For all memory of the effect; copied. NULL: malloc and free. */
+    const ew_allocator *allocator;
 } ew_effect_desc;
 
 /* Creates an effect with no sources for the current context.
  *
- * desc:   must not be NULL, nor its get_proc_address.
+ * desc:   must not be NULL, nor its get_proc_address, nor one of its allocator's functions.
  * effect: receives the effect, to be given to ew_destroy_effect; left alone on failure.
  * Errors: INVALID_ARGUMENT, OUT_OF_MEMORY, MISSING_FUNCTION, UNSUPPORTED_CONTEXT, OPENGL.
  * GL:     the context must be current. Creates buffers and a vertex array; leaves all state as it was. */
 EW_API ew_result ew_create_effect(const ew_effect_desc *desc, ew_effect **effect, ew_error *error);
 
-/* Replaces the effect's sources. All is copied.
+/* Replaces the effect's sources. All is copied. May be called every frame: memory is only allocated for more than there was
+ * ever before.
  *
  * Errors: INVALID_ARGUMENT (the text names the field, such as "curves[2].domain"), TOO_MANY_SOURCES, OUT_OF_MEMORY; the old
  *         sources stay.

@@ -6,7 +6,6 @@
 #include "state_guard.h"
 
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 /* The kinds of sources, in the order of their fields in a key. */
@@ -113,31 +112,29 @@ static const struct {
 enum { FRAGMENT_FILE_COUNT = sizeof fragment_files / sizeof fragment_files[0], MAX_HEADER_LENGTH = 1024 };
 
 /* Version, precision and the permutation's defines. */
-static void write_header(char header[MAX_HEADER_LENGTH], const ew_gl *gl, const ew_capacity *capacity, unsigned key)
+static void write_header(char header[MAX_HEADER_LENGTH], const ew_gl *gl, size_t capacity, unsigned key)
 {
     static const char *const flags[EW_PROGRAM_FLAG_COUNT] = {"EW_WEIGHTS", "EW_DEPTH", "EW_SIMPSON", "EW_LUMINANCE",
                                                              "EW_EVALUATIONS"};
     static const struct {
         const char *lists, *kind, *count;
     } names[KIND_COUNT] = {{"POINTS", "POINT", "x"}, {"LINES", "LINE", "y"}, {"TORI", "TORUS", "z"}, {"CURVES", "CURVE", "w"}};
-    const size_t capacities[KIND_COUNT] = {capacity->points, capacity->lines, capacity->tori, capacity->curves};
 
-    int used = snprintf(header, MAX_HEADER_LENGTH, "%s#define EW_WEIGHT_CAPACITY %zu\n",
+    int used = snprintf(header, MAX_HEADER_LENGTH, "%s#define EW_SOURCE_DATA_SIZE %zu\n",
                         gl->es ? "#version 300 es\nprecision highp float;\nprecision highp int;\nprecision highp sampler2D;\n"
                                : "#version 330 core\n",
-                        capacity->weight_pieces);
+                        capacity);
     for (int i = 0; i < EW_PROGRAM_FLAG_COUNT; ++i)
         if (key & (1u << i)) used += snprintf(header + used, MAX_HEADER_LENGTH - (size_t)used, "#define %s\n", flags[i]);
     for (int kind = 0; kind < KIND_COUNT; ++kind) {
-        char count[40];
-        if (count_of(key, kind) == 0) continue;
-        if (count_of(key, kind) <= EW_PROGRAM_MAX_UNROLLED)
-            snprintf(count, sizeof count, "%u", count_of(key, kind));
+        unsigned count = count_of(key, kind);
+        if (count > 0) used += snprintf(header + used, MAX_HEADER_LENGTH - (size_t)used, "#define EW_%s\n", names[kind].lists);
+        if (count <= EW_PROGRAM_MAX_UNROLLED)
+            used +=
+                snprintf(header + used, MAX_HEADER_LENGTH - (size_t)used, "#define EW_%s_COUNT %u\n", names[kind].kind, count);
         else
-            snprintf(count, sizeof count, "ew_frame.source_count.%s", names[kind].count);
-        used += snprintf(header + used, MAX_HEADER_LENGTH - (size_t)used,
-                         "#define EW_%s\n#define EW_%s_CAPACITY %zu\n#define EW_%s_COUNT %s\n", names[kind].lists,
-                         names[kind].kind, capacities[kind], names[kind].kind, count);
+            used += snprintf(header + used, MAX_HEADER_LENGTH - (size_t)used, "#define EW_%s_COUNT ew_frame.source_count.%s\n",
+                             names[kind].kind, names[kind].count);
     }
 }
 
@@ -170,7 +167,7 @@ static GLuint compile_vertex_shader(const ew_gl *gl, ew_error *error)
     return compile(gl, GL_VERTEX_SHADER, 3, strings, error);
 }
 
-static GLuint compile_fragment_shader(const ew_gl *gl, const ew_capacity *capacity, unsigned key, ew_error *error)
+static GLuint compile_fragment_shader(const ew_gl *gl, size_t capacity, unsigned key, ew_error *error)
 {
     char header[MAX_HEADER_LENGTH];
     char lines[FRAGMENT_FILE_COUNT][24];
@@ -210,15 +207,7 @@ static ew_result link(const ew_gl *gl, GLuint vertex_shader, GLuint fragment_sha
 
 static void assign_bindings(const ew_gl *gl, GLuint program)
 {
-    static const char *const blocks[EW_BINDING_COUNT] = {
-        [EW_FRAME_BINDING] = "ew_frame_uniforms", [EW_POINT_BINDING] = "ew_point_uniforms",
-        [EW_LINE_BINDING] = "ew_line_uniforms",   [EW_TORUS_BINDING] = "ew_torus_uniforms",
-        [EW_CURVE_BINDING] = "ew_curve_uniforms", [EW_WEIGHT_BINDING] = "ew_weight_uniforms",
-    };
-    for (GLuint binding = 0; binding < EW_BINDING_COUNT; ++binding) {
-        GLuint index = gl->GetUniformBlockIndex(program, blocks[binding]);
-        if (index != GL_INVALID_INDEX) gl->UniformBlockBinding(program, index, binding);
-    }
+    gl->UniformBlockBinding(program, gl->GetUniformBlockIndex(program, "ew_uniforms"), EW_GL_UNIFORM_BINDING);
     GLint depth = gl->GetUniformLocation(program, "ew_depth_texture");
     if (depth >= 0) {
         gl->UseProgram(program);
@@ -226,7 +215,7 @@ static void assign_bindings(const ew_gl *gl, GLuint program)
     }
 }
 
-static ew_result build(const ew_gl *gl, const ew_capacity *capacity, unsigned key, GLuint *program, ew_error *error)
+static ew_result build(const ew_gl *gl, size_t capacity, unsigned key, GLuint *program, ew_error *error)
 {
     GLuint vertex_shader = compile_vertex_shader(gl, error);
     if (!vertex_shader) return EW_ERROR_SHADER;
@@ -240,19 +229,23 @@ static ew_result build(const ew_gl *gl, const ew_capacity *capacity, unsigned ke
 }
 
 /* Makes room for one more entry. */
-static ew_result grow(ew_program_cache *cache, ew_error *error)
+static ew_result grow(ew_program_cache *cache, const ew_allocator *allocator, ew_error *error)
 {
     if (cache->count < cache->capacity) return EW_OK;
     size_t capacity = cache->capacity > 0 ? 2 * cache->capacity : 8;
-    struct ew_cached_program *entries = realloc(cache->entries, capacity * sizeof *entries);
+    struct ew_cached_program *entries = allocator->allocate(allocator->user, capacity * sizeof *entries);
     if (!entries) return ew_fail(error, EW_ERROR_OUT_OF_MEMORY, "no memory for %zu cached programs", capacity);
+    if (cache->entries) {
+        memcpy(entries, cache->entries, cache->count * sizeof *entries);
+        allocator->deallocate(allocator->user, cache->entries);
+    }
     cache->entries = entries;
     cache->capacity = capacity;
     return EW_OK;
 }
 
-ew_result ew_program_get(ew_program_cache *cache, const ew_gl *gl, const ew_capacity *capacity, unsigned key, GLuint *program,
-                         ew_error *error)
+ew_result ew_program_get(ew_program_cache *cache, const ew_gl *gl, size_t capacity, const ew_allocator *allocator, unsigned key,
+                         GLuint *program, ew_error *error)
 {
     for (size_t i = 0; i < cache->count; ++i) {
         if (cache->entries[i].key == key) {
@@ -260,16 +253,16 @@ ew_result ew_program_get(ew_program_cache *cache, const ew_gl *gl, const ew_capa
             return EW_OK;
         }
     }
-    ew_result result = grow(cache, error);
+    ew_result result = grow(cache, allocator, error);
     if (result == EW_OK) result = build(gl, capacity, key, program, error);
     if (result == EW_OK) cache->entries[cache->count++] = (struct ew_cached_program){key, *program};
     return result;
 }
 
-void ew_program_cache_destroy(ew_program_cache *cache, const ew_gl *gl)
+void ew_program_cache_destroy(ew_program_cache *cache, const ew_gl *gl, const ew_allocator *allocator)
 {
     for (size_t i = 0; i < cache->count; ++i)
         gl->DeleteProgram(cache->entries[i].program);
-    free(cache->entries);
+    if (cache->entries) allocator->deallocate(allocator->user, cache->entries);
     *cache = (ew_program_cache){0};
 }

@@ -31,10 +31,11 @@ typedef struct ew_program_cache {
 /* The key of the program that draws `scene` as `frame` says. */
 unsigned ew_program_key(const ew_scene *scene, const ew_frame_desc *frame);
 
-/* Returns the program of `key` in `program`, compiled if the cache does not hold it. Changes the program in use. */
-ew_result ew_program_get(ew_program_cache *cache, const ew_gl *gl, const ew_capacity *capacity, unsigned key, GLuint *program,
-                         ew_error *error);
+/* Returns the program of `key` in `program`, compiled if the cache does not hold it, for a uniform block of `capacity` units of
+ * sources. Changes the program in use. */
+ew_result ew_program_get(ew_program_cache *cache, const ew_gl *gl, size_t capacity, const ew_allocator *allocator, unsigned key,
+                         GLuint *program, ew_error *error);
 
-void ew_program_cache_destroy(ew_program_cache *cache, const ew_gl *gl);
+void ew_program_cache_destroy(ew_program_cache *cache, const ew_gl *gl, const ew_allocator *allocator);
 
 #endif

@@ -22,6 +22,18 @@
  * the arc turns by less than 7 degrees then, and coordinates from the vertex would lose digits. */
 #define MAX_VERTEX_DISTANCE 4.0
 
+#define CHECK_SIZE(source, vectors, most)                                                                                      \
+    _Static_assert(sizeof(struct ew_##source##_block) == (vectors) * sizeof(ew_vec4), #source " takes other units in GLSL");   \
+    _Static_assert((most) == EW_MAX_SOURCE_UNITS / (vectors), #source " takes other units in the public header")
+CHECK_SIZE(point, EW_POINT_SIZE, EW_MAX_POINTS);
+CHECK_SIZE(line, EW_LINE_SIZE, EW_MAX_LINES);
+CHECK_SIZE(torus, EW_TORUS_SIZE, EW_MAX_TORI);
+CHECK_SIZE(curve, EW_CURVE_SIZE, EW_MAX_CURVES);
+CHECK_SIZE(weight, EW_WEIGHT_SIZE, EW_MAX_SOURCE_UNITS);
+#undef CHECK_SIZE
+_Static_assert(EW_MAX_SOURCE_UNITS * sizeof(ew_vec4) + sizeof(struct ew_frame_block) <= 65536,
+               "the uniform block is too large");
+
 static double dot(const double a[3], const double b[3])
 {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
@@ -54,15 +66,9 @@ static size_t smaller(size_t a, size_t b)
     return a < b ? a : b;
 }
 
-ew_capacity ew_scene_capacity(size_t block_size)
+size_t ew_scene_capacity(size_t block_size)
 {
-    return (ew_capacity){
-        .points = smaller(EW_MAX_POINTS, block_size / sizeof(struct ew_point_block)),
-        .lines = smaller(EW_MAX_LINES, block_size / sizeof(struct ew_line_block)),
-        .tori = smaller(EW_MAX_TORI, block_size / sizeof(struct ew_torus_block)),
-        .curves = smaller(EW_MAX_CURVES, block_size / sizeof(struct ew_curve_block)),
-        .weight_pieces = smaller(EW_MAX_WEIGHT_PIECES, block_size / sizeof(struct ew_weight_block)),
-    };
+    return smaller(EW_MAX_SOURCE_UNITS, (block_size - sizeof(struct ew_frame_block)) / sizeof(ew_vec4));
 }
 
 static ew_result check_vector(const char *list, size_t index, const char *field, const double v[3], ew_error *error)
@@ -109,13 +115,10 @@ static ew_result check_curve(size_t index, const ew_curve *curve, ew_error *erro
     return EW_OK;
 }
 
-static ew_result check_count(const char *list, const void *sources, size_t count, size_t capacity, ew_error *error)
+static ew_result check_list(const char *list, const void *sources, size_t count, ew_error *error)
 {
-    if (!sources && count > 0)
-        return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "%s must not be NULL with a count of %zu", list, count);
-    if (count > capacity)
-        return ew_fail(error, EW_ERROR_TOO_MANY_SOURCES, "%zu %s, but this context holds at most %zu", count, list, capacity);
-    return EW_OK;
+    if (sources || count == 0) return EW_OK;
+    return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "%s must not be NULL with a count of %zu", list, count);
 }
 
 static size_t weight_piece_count(size_t weight_count)
@@ -124,16 +127,32 @@ static size_t weight_piece_count(size_t weight_count)
     return weight_count > 2 ? weight_count - 2 : 1;
 }
 
-static ew_result validate_sources(const ew_sources_desc *sources, const ew_capacity *capacity, ew_error *error)
+/* Takes what `count` sources need from the units that are left, before any of the sources is looked at. */
+static ew_result take_units(const char *list, size_t count, size_t size, size_t *left, size_t capacity, ew_error *error)
+{
+    if (count > *left / size)
+        return ew_fail(error, EW_ERROR_TOO_MANY_SOURCES,
+                       "%zu %s of %zu units each are too many: this context takes %zu units of sources, of which %zu are left",
+                       count, list, size, capacity, *left);
+    *left -= count * size;
+    return EW_OK;
+}
+
+static ew_result validate_sources(const ew_sources_desc *sources, size_t capacity, ew_error *error)
 {
     ew_result result;
     if (!sources) return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "sources must not be NULL");
     if (!(isfinite(sources->epsilon) && sources->epsilon > 0))
         return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "epsilon must be finite and > 0");
-    if ((result = check_count("points", sources->points, sources->point_count, capacity->points, error))) return result;
-    if ((result = check_count("lines", sources->lines, sources->line_count, capacity->lines, error))) return result;
-    if ((result = check_count("tori", sources->tori, sources->torus_count, capacity->tori, error))) return result;
-    if ((result = check_count("curves", sources->curves, sources->curve_count, capacity->curves, error))) return result;
+    if ((result = check_list("points", sources->points, sources->point_count, error))) return result;
+    if ((result = check_list("lines", sources->lines, sources->line_count, error))) return result;
+    if ((result = check_list("tori", sources->tori, sources->torus_count, error))) return result;
+    if ((result = check_list("curves", sources->curves, sources->curve_count, error))) return result;
+    size_t left = capacity;
+    if ((result = take_units("points", sources->point_count, EW_POINT_SIZE, &left, capacity, error))) return result;
+    if ((result = take_units("lines", sources->line_count, EW_LINE_SIZE, &left, capacity, error))) return result;
+    if ((result = take_units("tori", sources->torus_count, EW_TORUS_SIZE, &left, capacity, error))) return result;
+    if ((result = take_units("curves", sources->curve_count, EW_CURVE_SIZE, &left, capacity, error))) return result;
 
     for (size_t i = 0; i < sources->point_count; ++i) {
         const ew_point *point = &sources->points[i];
@@ -161,11 +180,7 @@ static ew_result validate_sources(const ew_sources_desc *sources, const ew_capac
         if ((result = check_energy("curves", i, curve->coefficient, curve->color, error))) return result;
         weight_pieces += weight_piece_count(curve->weight_count);
     }
-    if (weight_pieces > capacity->weight_pieces)
-        return ew_fail(error, EW_ERROR_TOO_MANY_SOURCES,
-                       "the curves' weights make %zu pieces, but this context holds at most %zu", weight_pieces,
-                       capacity->weight_pieces);
-    return EW_OK;
+    return take_units("pieces of weights", weight_pieces, EW_WEIGHT_SIZE, &left, capacity, error);
 }
 
 /* The pieces of S(t), equation (15), as polynomials of the place f in [0, 1] along each: the quadratic B-spline with the knots
@@ -224,6 +239,7 @@ static size_t lay_out(const ew_sources_desc *sources, char *memory, ew_scene *sc
     scene->sources.lines = copy(carve(memory, &used, lines_size), sources->lines, lines_size);
     scene->sources.tori = copy(carve(memory, &used, tori_size), sources->tori, tori_size);
     scene->sources.curves = copy(carve(memory, &used, curves_size), sources->curves, curves_size);
+    size_t data_start = used;
     scene->points = carve(memory, &used, sources->point_count * sizeof(struct ew_point_block));
     scene->lines = carve(memory, &used, sources->line_count * sizeof(struct ew_line_block));
     scene->tori = carve(memory, &used, sources->torus_count * sizeof(struct ew_torus_block));
@@ -232,21 +248,26 @@ static size_t lay_out(const ew_sources_desc *sources, char *memory, ew_scene *sc
     for (size_t i = 0; i < sources->curve_count; ++i)
         scene->weight_piece_count += weight_piece_count(sources->curves[i].weight_count);
     scene->weight_pieces = carve(memory, &used, scene->weight_piece_count * sizeof(struct ew_weight_block));
+    scene->source_data = scene->points;
+    scene->source_data_size = used - data_start;
     return used;
 }
 
-ew_result ew_scene_create(const ew_sources_desc *sources, const ew_capacity *capacity, ew_scene *scene, ew_error *error)
+ew_result ew_scene_set(ew_scene *scene, const ew_sources_desc *sources, size_t capacity, const ew_allocator *allocator,
+                       ew_error *error)
 {
     ew_result result = validate_sources(sources, capacity, error);
     if (result != EW_OK) return result;
 
-    ew_scene made = {0};
+    ew_scene made = {.memory = scene->memory, .memory_size = scene->memory_size};
     size_t size = lay_out(sources, NULL, &made);
-    if (size > 0) {
-        made.memory = malloc(size);
+    if (size > made.memory_size) {
+        made.memory = allocator->allocate(allocator->user, size);
         if (!made.memory) return ew_fail(error, EW_ERROR_OUT_OF_MEMORY, "no memory for %zu bytes of sources", size);
-        lay_out(sources, made.memory, &made);
+        made.memory_size = size;
+        ew_scene_destroy(scene, allocator);
     }
+    lay_out(sources, made.memory, &made);
     struct ew_weight_block *pieces = made.weight_pieces;
     for (size_t i = 0; i < sources->curve_count; ++i) {
         size_t count = sources->curves[i].weight_count;
@@ -258,9 +279,9 @@ ew_result ew_scene_create(const ew_sources_desc *sources, const ew_capacity *cap
     return EW_OK;
 }
 
-void ew_scene_destroy(ew_scene *scene)
+void ew_scene_destroy(ew_scene *scene, const ew_allocator *allocator)
 {
-    free(scene->memory);
+    if (scene->memory) allocator->deallocate(allocator->user, scene->memory);
     *scene = (ew_scene){0};
 }
 

@@ -46,15 +46,15 @@ static ew_result keep_program(const ew_gl *gl, ew_gl_state *state, ew_error *err
     return EW_OK;
 }
 
-static void save_uniform_binding(const ew_gl *gl, GLuint index, ew_gl_buffer_binding *binding)
+static void save_uniform_binding(const ew_gl *gl, ew_gl_buffer_binding *binding)
 {
     GLint buffer = 0;
-    gl->GetIntegeri_v(GL_UNIFORM_BUFFER_BINDING, index, &buffer);
+    gl->GetIntegeri_v(GL_UNIFORM_BUFFER_BINDING, EW_GL_UNIFORM_BINDING, &buffer);
     *binding = (ew_gl_buffer_binding){0};
     if (buffer == 0 || !gl->IsBuffer((GLuint)buffer)) return;
     binding->buffer = (GLuint)buffer;
-    gl->GetInteger64i_v(GL_UNIFORM_BUFFER_START, index, &binding->start);
-    gl->GetInteger64i_v(GL_UNIFORM_BUFFER_SIZE, index, &binding->size);
+    gl->GetInteger64i_v(GL_UNIFORM_BUFFER_START, EW_GL_UNIFORM_BINDING, &binding->start);
+    gl->GetInteger64i_v(GL_UNIFORM_BUFFER_SIZE, EW_GL_UNIFORM_BINDING, &binding->size);
 }
 
 ew_result ew_gl_save_state(const ew_gl *gl, ew_gl_state *state, ew_error *error)
@@ -70,8 +70,7 @@ ew_result ew_gl_save_state(const ew_gl *gl, ew_gl_state *state, ew_error *error)
 
     state->vertex_array = (GLuint)get_integer(gl, GL_VERTEX_ARRAY_BINDING);
     state->uniform_buffer = get_binding(gl, GL_UNIFORM_BUFFER_BINDING, gl->IsBuffer);
-    for (GLuint i = 0; i < EW_BINDING_COUNT; i++)
-        save_uniform_binding(gl, i, &state->uniform_bindings[i]);
+    save_uniform_binding(gl, &state->uniform_binding);
 
     state->active_texture = (GLenum)get_integer(gl, GL_ACTIVE_TEXTURE);
     gl->ActiveTexture(GL_TEXTURE0 + EW_GL_DEPTH_TEXTURE_UNIT);
@@ -185,15 +184,14 @@ void ew_gl_set_draw_state(const ew_gl *gl, ew_gl_state *state, const ew_gl_draw_
         if (state->capabilities[i]) gl->Disable(gl->unwanted_capabilities[i]);
 }
 
-static void restore_uniform_bindings(const ew_gl *gl, const ew_gl_state *state)
+static void restore_uniform_binding(const ew_gl *gl, const ew_gl_state *state)
 {
-    for (GLuint i = 0; i < EW_BINDING_COUNT; i++) {
-        const ew_gl_buffer_binding *binding = &state->uniform_bindings[i];
-        if (binding->size > 0)
-            gl->BindBufferRange(GL_UNIFORM_BUFFER, i, binding->buffer, (GLintptr)binding->start, (GLsizeiptr)binding->size);
-        else /* the whole buffer, whatever its size */
-            gl->BindBufferBase(GL_UNIFORM_BUFFER, i, binding->buffer);
-    }
+    const ew_gl_buffer_binding *binding = &state->uniform_binding;
+    if (binding->size > 0)
+        gl->BindBufferRange(GL_UNIFORM_BUFFER, EW_GL_UNIFORM_BINDING, binding->buffer, (GLintptr)binding->start,
+                            (GLsizeiptr)binding->size);
+    else /* the whole buffer, whatever its size */
+        gl->BindBufferBase(GL_UNIFORM_BUFFER, EW_GL_UNIFORM_BINDING, binding->buffer);
     gl->BindBuffer(GL_UNIFORM_BUFFER, state->uniform_buffer); /* last: the others set it too */
 }
 
@@ -224,7 +222,7 @@ void ew_gl_restore_state(const ew_gl *gl, const ew_gl_state *state)
     gl->BindSampler(EW_GL_DEPTH_TEXTURE_UNIT, state->sampler);
     gl->ActiveTexture(state->active_texture);
 
-    restore_uniform_bindings(gl, state);
+    restore_uniform_binding(gl, state);
     gl->BindVertexArray(state->vertex_array);
     gl->UseProgram(state->program);
     if (state->program_keeper) gl->DeleteProgramPipelines(1, &state->program_keeper);

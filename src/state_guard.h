@@ -3,11 +3,9 @@
 #define EW_STATE_GUARD_H
 
 #include "gl.h"
-#include "layout.h"
 
-/* The texture unit of which the effect uses the 2D texture and the sampler; the uniform buffer bindings are 0 to
- * EW_BINDING_COUNT - 1. */
-enum { EW_GL_DEPTH_TEXTURE_UNIT = 0 };
+/* The texture unit of which the effect uses the 2D texture and the sampler, and the uniform buffer binding. */
+enum { EW_GL_DEPTH_TEXTURE_UNIT = 0, EW_GL_UNIFORM_BINDING = 0 };
 
 /* As many as GL has enumerators for. */
 enum { EW_GL_MAX_DRAW_BUFFERS = 16 };
@@ -24,7 +22,7 @@ typedef struct ew_gl_state {
     bool transform_feedback_paused;
     GLuint vertex_array;
     GLuint uniform_buffer;
-    ew_gl_buffer_binding uniform_bindings[EW_BINDING_COUNT];
+    ew_gl_buffer_binding uniform_binding;
     GLenum active_texture;
     GLuint texture;
     GLuint sampler;

@@ -3,6 +3,7 @@
 #include "message.h"
 
 /* What the library keeps to itself: its GL functions, its shaders and how it fills their uniform blocks. */
+#include "allocator.h"
 #include "gl.h"
 #include "glsl_text.h"
 #include "program.h"
@@ -25,7 +26,7 @@ struct bench_peers {
     struct ew_frame_block frame_block;
     ew_frame_desc frame;
     GLuint vertex_array;
-    GLuint buffers[EW_BINDING_COUNT];
+    GLuint uniform_buffer;
     GLuint programs[FAMILY_COUNT][2]; /* for luminance and for evaluations; 0: not compiled yet */
 };
 
@@ -46,7 +47,7 @@ static const struct {
 
 /* A shader in the making: strings, some of which it holds itself. */
 typedef struct shader_text {
-    const char *strings[40];
+    const char *strings[48];
     int count;
     char memory[4096];
     size_t used;
@@ -77,20 +78,17 @@ static void write_fragment_shader(const bench_peers *peers, integrator_family fa
         return;
     }
 
-    ew_capacity capacity = ew_scene_capacity((size_t)peers->gl.max_uniform_block_size);
-    const size_t capacities[KIND_COUNT] = {capacity.points, capacity.lines, capacity.tori, capacity.curves};
     add_line(text, "#define %s\n", output == EW_OUTPUT_LUMINANCE ? "EW_LUMINANCE" : "EW_EVALUATIONS");
     if (family == FAMILY_EQUIANGULAR) add_text(text, "#define PEER_EQUIANGULAR\n");
     if (peers->frame.depth_texture) add_text(text, "#define EW_DEPTH\n");
-    if (peers->scene.weight_piece_count > 0)
-        add_line(text, "#define EW_WEIGHTS\n#define EW_WEIGHT_CAPACITY %zu\n", capacity.weight_pieces);
+    if (peers->scene.weight_piece_count > 0) add_text(text, "#define EW_WEIGHTS\n");
+    add_line(text, "#define EW_SOURCE_DATA_SIZE %zu\n", ew_scene_capacity((size_t)peers->gl.max_uniform_block_size));
     for (int kind = 0; kind < KIND_COUNT; kind++) {
         char count[24];
-        if (counts[kind] == 0) continue;
-        /* A literal for few sources, as the library has it: see wave.frag. */
+        if (counts[kind] > 0) add_line(text, "#define EW_%s\n", names[kind].kinds);
+        /* A literal for few sources, as the library has it: see blocks.glsl. */
         snprintf(count, sizeof count, "%zu", counts[kind]);
-        add_line(text, "#define EW_%s\n#define EW_%s_CAPACITY %zu\n#define EW_%s_COUNT %s\n", names[kind].kinds,
-                 names[kind].kind, capacities[kind], names[kind].kind,
+        add_line(text, "#define EW_%s_COUNT %s\n", names[kind].kind,
                  counts[kind] <= EW_PROGRAM_MAX_UNROLLED ? count : names[kind].count);
     }
     add_text(text, ew_glsl_layout_glsl);
@@ -117,19 +115,6 @@ static void write_fragment_shader(const bench_peers *peers, integrator_family fa
     }
     if (counts[CURVES] > 0) add_text(text, ew_glsl_peer_curve_glsl);
     add_text(text, ew_glsl_wave_frag);
-}
-
-static void assign_bindings(const ew_gl *gl, GLuint program)
-{
-    static const char *const blocks[EW_BINDING_COUNT] = {
-        [EW_FRAME_BINDING] = "ew_frame_uniforms", [EW_POINT_BINDING] = "ew_point_uniforms",
-        [EW_LINE_BINDING] = "ew_line_uniforms",   [EW_TORUS_BINDING] = "ew_torus_uniforms",
-        [EW_CURVE_BINDING] = "ew_curve_uniforms", [EW_WEIGHT_BINDING] = "ew_weight_uniforms",
-    };
-    for (GLuint binding = 0; binding < EW_BINDING_COUNT; binding++) {
-        GLuint index = gl->GetUniformBlockIndex(program, blocks[binding]);
-        if (index != GL_INVALID_INDEX) gl->UniformBlockBinding(program, index, binding);
-    }
 }
 
 /* Compiles the strings into the program; on failure returns false, with the driver's log. */
@@ -170,7 +155,8 @@ static GLuint get_program(bench_peers *peers, integrator_family family, ew_outpu
     if (attach(gl, *program, GL_VERTEX_SHADER, 2, vertex_strings, log, sizeof log) &&
         attach(gl, *program, GL_FRAGMENT_SHADER, text.count, text.strings, log, sizeof log) &&
         link(gl, *program, log, sizeof log)) {
-        assign_bindings(gl, *program);
+        GLuint block = gl->GetUniformBlockIndex(*program, "ew_uniforms");
+        if (block != GL_INVALID_INDEX) gl->UniformBlockBinding(*program, block, 0);
         return *program;
     }
     message_write(message, size, "the driver refuses the shader of %s (%s)", integrator_family_names[family], log);
@@ -180,29 +166,18 @@ static GLuint get_program(bench_peers *peers, integrator_family family, ew_outpu
 
 /* ---- Drawing ------------------------------------------------------------------------------------------------------------ */
 
-static void upload(const bench_peers *peers, GLuint binding, size_t size, const void *data, size_t used)
+static void upload(const bench_peers *peers)
 {
     const ew_gl *gl = &peers->gl;
-    gl->BindBuffer(GL_UNIFORM_BUFFER, peers->buffers[binding]);
-    gl->BufferData(GL_UNIFORM_BUFFER, (GLsizeiptr)size, NULL, GL_DYNAMIC_DRAW);
-    if (used > 0) gl->BufferSubData(GL_UNIFORM_BUFFER, 0, (GLsizeiptr)used, data);
-}
-
-static void upload_sources(const bench_peers *peers)
-{
     const ew_scene *scene = &peers->scene;
-    const ew_sources_desc *sources = &scene->sources;
-    ew_capacity capacity = ew_scene_capacity((size_t)peers->gl.max_uniform_block_size);
-    upload(peers, EW_POINT_BINDING, capacity.points * sizeof *scene->points, scene->points,
-           sources->point_count * sizeof *scene->points);
-    upload(peers, EW_LINE_BINDING, capacity.lines * sizeof *scene->lines, scene->lines,
-           sources->line_count * sizeof *scene->lines);
-    upload(peers, EW_TORUS_BINDING, capacity.tori * sizeof *scene->tori, scene->tori,
-           sources->torus_count * sizeof *scene->tori);
-    upload(peers, EW_CURVE_BINDING, capacity.curves * sizeof *scene->curves, scene->curves,
-           sources->curve_count * sizeof *scene->curves);
-    upload(peers, EW_WEIGHT_BINDING, capacity.weight_pieces * sizeof *scene->weight_pieces, scene->weight_pieces,
-           scene->weight_piece_count * sizeof *scene->weight_pieces);
+    size_t frame_size = sizeof peers->frame_block;
+    size_t size = frame_size + ew_scene_capacity((size_t)gl->max_uniform_block_size) * sizeof(ew_vec4);
+    gl->BindBuffer(GL_UNIFORM_BUFFER, peers->uniform_buffer);
+    gl->BufferData(GL_UNIFORM_BUFFER, (GLsizeiptr)size, NULL, GL_DYNAMIC_DRAW);
+    gl->BufferSubData(GL_UNIFORM_BUFFER, 0, (GLsizeiptr)frame_size, &peers->frame_block);
+    if (scene->source_data_size > 0)
+        gl->BufferSubData(GL_UNIFORM_BUFFER, (GLintptr)frame_size, (GLsizeiptr)scene->source_data_size, scene->source_data);
+    gl->BindBufferBase(GL_UNIFORM_BUFFER, 0, peers->uniform_buffer);
 }
 
 bench_peers *peers_create(gl_context *context, const ew_sources_desc *sources, const ew_frame_desc *frame, char *message,
@@ -216,20 +191,19 @@ bench_peers *peers_create(gl_context *context, const ew_sources_desc *sources, c
     ew_error error;
     ew_result result = ew_gl_load(&made->gl, context_get_proc_address, context, &error);
     if (result == EW_OK) {
-        ew_capacity capacity = ew_scene_capacity((size_t)made->gl.max_uniform_block_size);
-        result = ew_scene_create(sources, &capacity, &made->scene, &error);
+        size_t capacity = ew_scene_capacity((size_t)made->gl.max_uniform_block_size);
+        result = ew_scene_set(&made->scene, sources, capacity, &ew_default_allocator, &error);
     }
     if (result == EW_OK) result = ew_scene_pack(&made->scene, frame, &made->frame_block, &error);
     if (result != EW_OK) {
         message_write(message, size, "%s", error.text);
-        ew_scene_destroy(&made->scene);
+        ew_scene_destroy(&made->scene, &ew_default_allocator);
         free(made);
         return NULL;
     }
     made->frame = *frame;
     made->gl.GenVertexArrays(1, &made->vertex_array);
-    made->gl.GenBuffers(EW_BINDING_COUNT, made->buffers);
-    upload_sources(made);
+    made->gl.GenBuffers(1, &made->uniform_buffer);
     return made;
 }
 
@@ -240,9 +214,9 @@ void peers_destroy(bench_peers *peers)
     for (int family = 0; family < FAMILY_COUNT; family++)
         for (int output = 0; output < 2; output++)
             gl->DeleteProgram(peers->programs[family][output]);
-    gl->DeleteBuffers(EW_BINDING_COUNT, peers->buffers);
+    gl->DeleteBuffers(1, &peers->uniform_buffer);
     gl->DeleteVertexArrays(1, &peers->vertex_array);
-    ew_scene_destroy(&peers->scene);
+    ew_scene_destroy(&peers->scene, &ew_default_allocator);
     free(peers);
 }
 
@@ -258,9 +232,7 @@ bool peers_draw(bench_peers *peers, const bench_integrator *integrator, ew_outpu
     gl->ActiveTexture(GL_TEXTURE0);
     gl->BindTexture(GL_TEXTURE_2D, frame->depth_texture);
     peers->frame_block.simpson.x = integrator->samples;
-    upload(peers, EW_FRAME_BINDING, sizeof peers->frame_block, &peers->frame_block, sizeof peers->frame_block);
-    for (GLuint binding = 0; binding < EW_BINDING_COUNT; binding++)
-        gl->BindBufferBase(GL_UNIFORM_BUFFER, binding, peers->buffers[binding]);
+    upload(peers);
     gl->UseProgram(program);
     gl->BindVertexArray(peers->vertex_array);
     gl->DrawArrays(GL_TRIANGLE_STRIP, 0, 4);

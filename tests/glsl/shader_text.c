@@ -2,6 +2,7 @@
  * Writes the text of every class of shader permutation to files, through a GL that only takes the shaders' sources:
  * shader_text FOLDER. Names are PROFILE-KEY.frag and PROFILE.vert.
  */
+#include "allocator.h"
 #include "program.h"
 
 #include <stdio.h>
@@ -65,6 +66,13 @@ static GLuint no_block(GLuint program, const GLchar *name)
     return GL_INVALID_INDEX;
 }
 
+static void ignore_binding(GLuint program, GLuint block, GLuint binding)
+{
+    (void)program;
+    (void)block;
+    (void)binding;
+}
+
 static GLint no_uniform(GLuint program, const GLchar *name)
 {
     (void)program;
@@ -72,18 +80,18 @@ static GLint no_uniform(GLuint program, const GLchar *name)
     return -1;
 }
 
-static void write_permutation(ew_program_cache *cache, const ew_gl *gl, const ew_capacity *capacity, unsigned key)
+static void write_permutation(ew_program_cache *cache, const ew_gl *gl, size_t capacity, unsigned key)
 {
     GLuint program;
     ew_error error;
     snprintf(shader_name, sizeof shader_name, "%s-%05x", profile, key);
-    if (ew_program_get(cache, gl, capacity, key, &program, &error) == EW_OK) return;
+    if (ew_program_get(cache, gl, capacity, &ew_default_allocator, key, &program, &error) == EW_OK) return;
     fprintf(stderr, "%s: %s\n", shader_name, error.text);
     exit(EXIT_FAILURE);
 }
 
 /* Every set of flags that can meet, on every set of kinds, with few sources of each (a literal count) and with many. */
-static void write_permutations(const ew_gl *gl, const ew_capacity *capacity)
+static void write_permutations(const ew_gl *gl, size_t capacity)
 {
     enum { KIND_COUNT = 4, ALL_CURVES = 1 << 3, BOTH_OUTPUTS = EW_PROGRAM_LUMINANCE | EW_PROGRAM_EVALUATIONS };
     ew_program_cache cache = {0};
@@ -99,7 +107,7 @@ static void write_permutations(const ew_gl *gl, const ew_capacity *capacity)
             }
         }
     }
-    ew_program_cache_destroy(&cache, gl);
+    ew_program_cache_destroy(&cache, gl, &ew_default_allocator);
 }
 
 int main(int argc, char **argv)
@@ -122,14 +130,15 @@ int main(int argc, char **argv)
         .GetProgramiv = say_yes,
         .DeleteProgram = do_nothing,
         .GetUniformBlockIndex = no_block,
+        .UniformBlockBinding = ignore_binding,
         .GetUniformLocation = no_uniform,
     };
     /* The capacities of the smallest uniform blocks that GL allows and of the largest in use; the profiles' least versions. */
-    ew_capacity smallest = ew_scene_capacity(16384), largest = ew_scene_capacity(65536);
+    size_t smallest = ew_scene_capacity(16384), largest = ew_scene_capacity(65536);
     profile = "330";
-    write_permutations(&gl, &largest);
+    write_permutations(&gl, largest);
     profile = "300es";
     gl.es = true;
-    write_permutations(&gl, &smallest);
+    write_permutations(&gl, smallest);
     return EXIT_SUCCESS;
 }

@@ -1,4 +1,5 @@
 /* Sources in ray space (glsl/layout.glsl): each block describes the host's source, in full precision, wherever the world is. */
+#include "allocator.h"
 #include "check.h"
 #include "scene.h"
 
@@ -88,10 +89,11 @@ static const double float_error = 2e-7;
 
 static ew_scene pack(const ew_sources_desc *desc, const ew_frame_desc *frame, struct ew_frame_block *block)
 {
-    ew_capacity capacity = ew_scene_capacity(65536);
+    size_t capacity = ew_scene_capacity(65536);
     ew_scene scene = {0};
     ew_error error = {EW_OK, ""};
-    if (ew_validate_frame(frame, &error) != EW_OK || ew_scene_create(desc, &capacity, &scene, &error) != EW_OK ||
+    if (ew_validate_frame(frame, &error) != EW_OK ||
+        ew_scene_set(&scene, desc, capacity, &ew_default_allocator, &error) != EW_OK ||
         ew_scene_pack(&scene, frame, block, &error) != EW_OK)
         fail_msg("refused: %s", error.text);
     return scene;
@@ -149,7 +151,7 @@ static void points_lines_and_tori_come_to_ray_space(void **state)
         check_close((double)scene.tori[0].axis.w, 0.9 / (frame.interval_end - frame.interval_start), float_error);
         check_close((double)scene.tori[0].center.w, 5.1 * energy, float_error);
         check_vector(scene.tori[0].color, torus.color, float_error);
-        ew_scene_destroy(&scene);
+        ew_scene_destroy(&scene, &ew_default_allocator);
     }
 }
 
@@ -171,7 +173,7 @@ static void the_frame_block_counts_and_scales(void **state)
     assert_int_equal(block.simpson.x, 128);
     check_close((double)block.decay.x, 0.7, float_error);
     check_close((double)block.decay.y, 0.01 / (frame.interval_end - frame.interval_start), 1e-9);
-    ew_scene_destroy(&scene);
+    ew_scene_destroy(&scene, &ew_default_allocator);
 }
 
 static void finer_qualities_allow_smaller_errors(void **state)
@@ -188,7 +190,7 @@ static void finer_qualities_allow_smaller_errors(void **state)
         ew_scene scene = pack(&desc, &frame, &block);
         assert_true(block.decay.z > 0 && block.decay.z < coarser);
         coarser = block.decay.z;
-        ew_scene_destroy(&scene);
+        ew_scene_destroy(&scene, &ew_default_allocator);
     }
 }
 
@@ -266,7 +268,7 @@ static void arcs_come_to_ray_space_whatever_their_shape(void **state)
             check_close((double)scene.curves[0].origin.w, 4 * frame.decay_alpha / (frame.interval_end - frame.interval_start),
                         float_error);
             check_vector(scene.curves[0].color, curve.color, float_error);
-            ew_scene_destroy(&scene);
+            ew_scene_destroy(&scene, &ew_default_allocator);
         }
     }
 }
@@ -288,7 +290,7 @@ static void an_arch_has_its_origin_at_the_vertex_and_a_straight_arc_on_itself(vo
     check_vector(scene.curves[0].origin, expected, float_error);
     assert_true(scene.curves[0].axis_y.w == 0);
     assert_true(scene.curves[1].domain.x <= 0 && scene.curves[1].domain.y >= 0);
-    ew_scene_destroy(&scene);
+    ew_scene_destroy(&scene, &ew_default_allocator);
 }
 
 /* The same world, moved by 1e5 units with its camera: packed, it is the same, to what doubles resolve out there. */
@@ -352,8 +354,8 @@ static void a_world_far_from_its_origin_is_packed_as_if_it_were_near(void **stat
                 check_close(is_far, is_near, tolerance + 1.2e-7 * fabs(is_near));
             }
         }
-        ew_scene_destroy(&near_scene);
-        ew_scene_destroy(&far_scene);
+        ew_scene_destroy(&near_scene, &ew_default_allocator);
+        ew_scene_destroy(&far_scene, &ew_default_allocator);
     }
 }
 
@@ -380,13 +382,13 @@ static void sources_beyond_what_the_shader_resolves_are_refused(void **state)
         {{.epsilon = 1e-300}, "epsilon"},
     };
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; ++i) {
-        ew_capacity capacity = ew_scene_capacity(65536);
-        ew_scene scene;
+        size_t capacity = ew_scene_capacity(65536);
+        ew_scene scene = {0};
         ew_error error = {EW_OK, ""};
         struct ew_frame_block block;
-        assert_int_equal(ew_scene_create(&cases[i].desc, &capacity, &scene, NULL), EW_OK);
+        assert_int_equal(ew_scene_set(&scene, &cases[i].desc, capacity, &ew_default_allocator, NULL), EW_OK);
         check_refused(ew_scene_pack(&scene, &frame, &block, &error), &error, EW_ERROR_INVALID_ARGUMENT, cases[i].name);
-        ew_scene_destroy(&scene);
+        ew_scene_destroy(&scene, &ew_default_allocator);
     }
 }
 

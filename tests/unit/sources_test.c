@@ -1,4 +1,5 @@
 /* Source lists: what is wrong with them is named, and what is refused changes nothing. */
+#include "allocator.h"
 #include "check.h"
 #include "scene.h"
 
@@ -39,8 +40,8 @@ static const size_t gl_largest_block = 65536;
 
 static ew_result create(const ew_sources_desc *sources, ew_scene *scene, ew_error *error)
 {
-    ew_capacity capacity = ew_scene_capacity(gl_largest_block);
-    return ew_scene_create(sources, &capacity, scene, error);
+    size_t capacity = ew_scene_capacity(gl_largest_block);
+    return ew_scene_set(scene, sources, capacity, &ew_default_allocator, error);
 }
 
 /* Expects `desc` to be refused, with an ew_error and without, and a scene that was there before to be as it was. */
@@ -48,7 +49,7 @@ static void expect_refused(const ew_sources_desc *desc, ew_result code, const ch
 {
     field old;
     make_field(&old);
-    ew_scene scene, before;
+    ew_scene scene = {0}, before;
     assert_int_equal(create(&old.desc, &scene, NULL), EW_OK);
     memcpy(&before, &scene, sizeof scene);
 
@@ -60,7 +61,7 @@ static void expect_refused(const ew_sources_desc *desc, ew_result code, const ch
     assert_memory_equal(scene.sources.points, old.points, sizeof old.points);
     assert_memory_equal(scene.sources.lines, old.lines, sizeof old.lines);
     assert_memory_equal(scene.sources.tori, old.tori, sizeof old.tori);
-    ew_scene_destroy(&scene);
+    ew_scene_destroy(&scene, &ew_default_allocator);
 }
 
 static void every_number_out_of_range_is_refused_by_name(void **state)
@@ -107,9 +108,9 @@ static void every_number_out_of_range_is_refused_by_name(void **state)
         *numbers[i].number = good;
     }
     /* Each number was put back, so that it was the one spoilt that was refused. */
-    ew_scene scene;
+    ew_scene scene = {0};
     assert_int_equal(create(&f.desc, &scene, NULL), EW_OK);
-    ew_scene_destroy(&scene);
+    ew_scene_destroy(&scene, &ew_default_allocator);
 }
 
 static void every_bad_weight_is_refused_by_name(void **state)
@@ -185,22 +186,19 @@ static void more_sources_than_the_context_holds_are_refused(void **state)
     (void)state;
     field f;
     make_field(&f);
-    ew_capacity one = {1, 2, 2, 2, 4};
+    /* Two of each take 2 (2 + 3 + 3 + 6) units, and 2 curves with 4 weights each make 2 pieces each: 32 together. */
     ew_error error = {EW_OK, ""};
-    ew_scene scene;
-    check_refused(ew_scene_create(&f.desc, &one, &scene, &error), &error, EW_ERROR_TOO_MANY_SOURCES, "2 points");
-    one = (ew_capacity){2, 1, 2, 2, 4};
-    check_refused(ew_scene_create(&f.desc, &one, &scene, &error), &error, EW_ERROR_TOO_MANY_SOURCES, "2 lines");
-    one = (ew_capacity){2, 2, 1, 2, 4};
-    check_refused(ew_scene_create(&f.desc, &one, &scene, &error), &error, EW_ERROR_TOO_MANY_SOURCES, "2 tori");
-    one = (ew_capacity){2, 2, 2, 1, 4};
-    check_refused(ew_scene_create(&f.desc, &one, &scene, &error), &error, EW_ERROR_TOO_MANY_SOURCES, "2 curves");
-    /* 2 curves with 4 weights each make 2 pieces each. */
-    one = (ew_capacity){2, 2, 2, 2, 3};
-    check_refused(ew_scene_create(&f.desc, &one, &scene, &error), &error, EW_ERROR_TOO_MANY_SOURCES, "4 pieces");
-    one.weight_pieces = 4;
-    assert_int_equal(ew_scene_create(&f.desc, &one, &scene, &error), EW_OK);
-    ew_scene_destroy(&scene);
+    ew_scene scene = {0};
+    static const struct {
+        size_t capacity;
+        const char *refused;
+    } cases[] = {{3, "2 points"}, {9, "2 lines"}, {15, "2 tori"}, {27, "2 curves"}, {31, "4 pieces of weights"}};
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; ++i)
+        check_refused(ew_scene_set(&scene, &f.desc, cases[i].capacity, &ew_default_allocator, &error), &error,
+                      EW_ERROR_TOO_MANY_SOURCES, cases[i].refused);
+    assert_int_equal(ew_scene_set(&scene, &f.desc, 32, &ew_default_allocator, &error), EW_OK);
+    assert_int_equal(scene.source_data_size, 32 * sizeof(ew_vec4));
+    ew_scene_destroy(&scene, &ew_default_allocator);
 
     make_field(&f);
     f.desc.point_count = SIZE_MAX;
@@ -210,56 +208,51 @@ static void more_sources_than_the_context_holds_are_refused(void **state)
 static void uniform_blocks_bound_the_number_of_sources(void **state)
 {
     (void)state;
-    ew_capacity capacity = ew_scene_capacity(65536);
-    assert_int_equal(capacity.points, EW_MAX_POINTS);
-    assert_int_equal(capacity.lines, EW_MAX_LINES);
-    assert_int_equal(capacity.tori, EW_MAX_TORI);
-    assert_int_equal(capacity.curves, EW_MAX_CURVES);
-    assert_int_equal(capacity.weight_pieces, EW_MAX_WEIGHT_PIECES);
     /* The header promises as much; a larger block changes nothing. */
-    ew_capacity larger = ew_scene_capacity(1u << 30);
-    assert_memory_equal(&larger, &capacity, sizeof capacity);
-    /* The least that GL promises is a quarter of 64 KiB. */
-    capacity = ew_scene_capacity(16384);
-    assert_true(capacity.points * sizeof(struct ew_point_block) <= 16384);
-    assert_true(capacity.lines * sizeof(struct ew_line_block) <= 16384);
-    assert_true(capacity.tori * sizeof(struct ew_torus_block) <= 16384);
-    assert_true(capacity.curves * sizeof(struct ew_curve_block) <= 16384);
-    assert_true(capacity.weight_pieces * sizeof(struct ew_weight_block) <= 16384);
-    assert_in_range(capacity.curves, EW_MAX_CURVES / 4, EW_MAX_CURVES);
+    assert_int_equal(ew_scene_capacity(65536), EW_MAX_SOURCE_UNITS);
+    assert_int_equal(ew_scene_capacity(1u << 30), EW_MAX_SOURCE_UNITS);
+    /* The least that GL promises is a quarter of 64 KiB, and the frame's part does not shrink. */
+    size_t least = ew_scene_capacity(16384);
+    assert_true(sizeof(struct ew_frame_block) + least * sizeof(ew_vec4) <= 16384);
+    assert_in_range(least, EW_MAX_SOURCE_UNITS / 4 - 32, EW_MAX_SOURCE_UNITS / 4 + 8);
 }
 
 static void the_largest_lists_are_taken(void **state)
 {
     (void)state;
-    ew_sources_desc desc = {.point_count = EW_MAX_POINTS,
-                            .line_count = EW_MAX_LINES,
-                            .torus_count = EW_MAX_TORI,
-                            .curve_count = EW_MAX_CURVES,
-                            .epsilon = 1e-3};
-    ew_point *points = calloc(desc.point_count, sizeof *points);
-    ew_line *lines = calloc(desc.line_count, sizeof *lines);
-    ew_torus *tori = calloc(desc.torus_count, sizeof *tori);
-    ew_curve *curves = calloc(desc.curve_count, sizeof *curves);
-    double weights[EW_MAX_WEIGHT_PIECES / EW_MAX_CURVES + 2] = {0};
+    ew_point *points = calloc(EW_MAX_POINTS + 1, sizeof *points);
+    ew_line *lines = calloc(EW_MAX_LINES + 1, sizeof *lines);
+    ew_torus *tori = calloc(EW_MAX_TORI + 1, sizeof *tori);
+    ew_curve *curves = calloc(EW_MAX_CURVES + 1, sizeof *curves);
+    double weights[EW_MAX_WEIGHTS] = {0};
     assert_true(points && lines && tori && curves);
-    for (size_t i = 0; i < desc.line_count; ++i)
+    for (size_t i = 0; i <= EW_MAX_LINES; ++i)
         lines[i].direction[0] = 1;
-    for (size_t i = 0; i < desc.torus_count; ++i)
+    for (size_t i = 0; i <= EW_MAX_TORI; ++i)
         tori[i].axis[0] = 1;
-    for (size_t i = 0; i < desc.curve_count; ++i) {
+    for (size_t i = 0; i <= EW_MAX_CURVES; ++i)
         curves[i].domain[1] = 1;
-        curves[i].weights = weights;
-        curves[i].weight_count = sizeof weights / sizeof weights[0];
+    ew_sources_desc largest[] = {
+        {.points = points, .point_count = EW_MAX_POINTS, .epsilon = 1},
+        {.lines = lines, .line_count = EW_MAX_LINES, .epsilon = 1},
+        {.tori = tori, .torus_count = EW_MAX_TORI, .epsilon = 1},
+        {.curves = curves, .curve_count = EW_MAX_CURVES, .epsilon = 1},
+        {.curves = curves, .curve_count = 3, .epsilon = 1},
+    };
+    size_t *counts[] = {&largest[0].point_count, &largest[1].line_count, &largest[2].torus_count, &largest[3].curve_count};
+    ew_scene scene = {0};
+    for (int i = 0; i < 4; ++i) {
+        assert_int_equal(create(&largest[i], &scene, NULL), EW_OK);
+        ++*counts[i];
+        assert_int_equal(create(&largest[i], &scene, NULL), EW_ERROR_TOO_MANY_SOURCES);
     }
-    desc.points = points;
-    desc.lines = lines;
-    desc.tori = tori;
-    desc.curves = curves;
-    ew_scene scene;
-    assert_int_equal(create(&desc, &scene, NULL), EW_OK);
-    assert_int_equal(scene.weight_piece_count, EW_MAX_WEIGHT_PIECES);
-    ew_scene_destroy(&scene);
+    for (size_t i = 0; i < largest[4].curve_count; ++i) {
+        curves[i].weights = weights;
+        curves[i].weight_count = EW_MAX_WEIGHTS;
+    }
+    assert_int_equal(create(&largest[4], &scene, NULL), EW_OK);
+    assert_int_equal(scene.weight_piece_count, 3 * (EW_MAX_WEIGHTS - 2));
+    ew_scene_destroy(&scene, &ew_default_allocator);
     free(points);
     free(lines);
     free(tori);
@@ -279,18 +272,18 @@ static void the_limits_of_what_is_allowed_are_taken(void **state)
     memcpy(f.tori[1].axis, (double[3]){0, 1e300, -1e300}, sizeof f.tori[1].axis);
     memset(f.curves[1].polynomial, 0, sizeof f.curves[1].polynomial); /* a single point */
     memset(f.weights, 0, sizeof f.weights);
-    ew_scene scene;
+    ew_scene scene = {0};
     assert_int_equal(create(&f.desc, &scene, NULL), EW_OK);
-    ew_scene_destroy(&scene);
+    ew_scene_destroy(&scene, &ew_default_allocator);
 
     ew_sources_desc none = {.epsilon = 1};
     assert_int_equal(create(&none, &scene, NULL), EW_OK);
-    ew_scene_destroy(&scene);
+    ew_scene_destroy(&scene, &ew_default_allocator);
     /* An empty list may as well be a pointer to nothing. */
     none.points = f.points;
     none.curves = f.curves;
     assert_int_equal(create(&none, &scene, NULL), EW_OK);
-    ew_scene_destroy(&scene);
+    ew_scene_destroy(&scene, &ew_default_allocator);
 }
 
 static void success_leaves_the_error_alone(void **state)
@@ -299,11 +292,11 @@ static void success_leaves_the_error_alone(void **state)
     field f;
     make_field(&f);
     ew_error error = {EW_ERROR_SHADER, "an older error"};
-    ew_scene scene;
+    ew_scene scene = {0};
     assert_int_equal(create(&f.desc, &scene, &error), EW_OK);
     assert_int_equal(error.code, EW_ERROR_SHADER);
     assert_string_equal(error.text, "an older error");
-    ew_scene_destroy(&scene);
+    ew_scene_destroy(&scene, &ew_default_allocator);
 }
 
 int main(void)

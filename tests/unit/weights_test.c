@@ -1,4 +1,5 @@
 /* Weight pieces against the recursive definition of the B-spline: equations (14) to (16). */
+#include "allocator.h"
 #include "check.h"
 #include "scene.h"
 
@@ -43,9 +44,9 @@ static ew_scene make_scene(ew_curve *curves, size_t count)
         curves[i].coefficient = 1;
     }
     ew_sources_desc desc = {.curves = curves, .curve_count = count, .epsilon = 1};
-    ew_capacity capacity = ew_scene_capacity(65536);
-    ew_scene scene;
-    assert_int_equal(ew_scene_create(&desc, &capacity, &scene, NULL), EW_OK);
+    size_t capacity = ew_scene_capacity(65536);
+    ew_scene scene = {0};
+    assert_int_equal(ew_scene_set(&scene, &desc, capacity, &ew_default_allocator, NULL), EW_OK);
     return scene;
 }
 
@@ -75,7 +76,7 @@ static void pieces_are_the_recursive_spline(void **state)
             /* Three floats, each rounded once; the place along the piece is not. */
             check_close(piecewise(scene.weight_pieces, n - 2, t), spline(weights, n, t), 3e-7);
         }
-        ew_scene_destroy(&scene);
+        ew_scene_destroy(&scene, &ew_default_allocator);
     }
 }
 
@@ -89,7 +90,7 @@ static void the_papers_example_has_its_values(void **state)
     const double knots[] = {1.0, 0.4, 0.8, 0.75, 0.65, 1.0};
     for (int i = 0; i <= 5; ++i)
         check_close(piecewise(scene.weight_pieces, 5, i / 5.0), knots[i], 2e-7);
-    ew_scene_destroy(&scene);
+    ew_scene_destroy(&scene, &ew_default_allocator);
 }
 
 static void even_weights_are_even_everywhere(void **state)
@@ -103,7 +104,7 @@ static void even_weights_are_even_everywhere(void **state)
         ew_scene scene = make_scene(&curve, 1);
         for (int step = 0; step <= 100; ++step)
             assert_true(piecewise(scene.weight_pieces, scene.weight_piece_count, step / 100.0) == 0.75);
-        ew_scene_destroy(&scene);
+        ew_scene_destroy(&scene, &ew_default_allocator);
     }
 }
 
@@ -119,7 +120,7 @@ static void one_weight_is_a_constant_and_two_are_a_ramp(void **state)
         check_close(piecewise(&scene.weight_pieces[0], 1, t), 0.25, 0);
         check_close(piecewise(&scene.weight_pieces[1], 1, t), 0.25 + 1.75 * t, 0);
     }
-    ew_scene_destroy(&scene);
+    ew_scene_destroy(&scene, &ew_default_allocator);
 }
 
 /* The curves' pieces stand one after the other, and each curve's block says where its own are. */
@@ -149,7 +150,7 @@ static void each_curve_finds_its_own_pieces(void **state)
         check_close(piecewise(&scene.weight_pieces[first], count, 0), expected[i][0], 0);
         check_close(piecewise(&scene.weight_pieces[first], count, 1), expected[i][curves[i].weight_count - 1], 1e-6);
     }
-    ew_scene_destroy(&scene);
+    ew_scene_destroy(&scene, &ew_default_allocator);
 }
 
 int main(void)
