@@ -49,21 +49,42 @@ vec4 ew_integrate_all(ew_segment segment)
     return sum;
 }
 
+// What the light along a segment does to the target.
+vec4 ew_shade(ew_segment segment)
+{
+    vec4 light = ew_integrate_all(segment);
+#ifdef EW_LUMINANCE
+    return vec4(light.a, 0.0, 0.0, 1.0);
+#else
+    return vec4(min(light.rgb, EW_MAX_RADIANCE), min(light.a, 1.0));
+#endif
+}
+
 void main()
 {
     vec2 pixel = gl_FragCoord.xy - ew_frame.pixel_center.xy;
     vec4 ray = ew_frame.ray_center + pixel.x * ew_frame.ray_right + pixel.y * ew_frame.ray_up;
     ew_segment segment = ew_segment(vec3(ray.xy, 0.0), vec3(ray.zw, -1.0), 1.0);
+
+#ifdef EW_DEPTH_MULTISAMPLE
+    // The mean of what is done to the target, not of the depths: a pixel on a silhouette is no wall half way.
+    ew_color = vec4(0.0);
+    for (int i = ew_samples.x; i < ew_samples.y; ++i) {
+        segment.end = ew_opaque_parameter(pixel, i);
+        ew_color += ew_shade(segment);
+    }
+    ew_color /= float(ew_samples.y - ew_samples.x);
+#else
 #ifdef EW_DEPTH
     segment.end = ew_opaque_parameter(pixel);
 #endif
-    vec4 light = ew_integrate_all(segment);
+    ew_color = ew_shade(segment);
+#endif
 
-#if defined(EW_LUMINANCE)
-    ew_color = vec4(light.a, 0.0, 0.0, 1.0);
-#elif defined(EW_EVALUATIONS)
+#ifdef EW_DITHER
+    ew_color.rgb = ew_dither(ew_color.rgb);
+#endif
+#ifdef EW_EVALUATIONS
     ew_color = vec4(float(ew_evaluation_count), 0.0, 0.0, 1.0);
-#else
-    ew_color = vec4(min(light.rgb, EW_MAX_RADIANCE), min(light.a, 1.0));
 #endif
 }

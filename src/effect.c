@@ -4,6 +4,7 @@
 #include "allocator.h"
 #include "error.h"
 #include "gl.h"
+#include "opaque_depth.h"
 #include "program.h"
 #include "scene.h"
 #include "state_guard.h"
@@ -15,6 +16,7 @@ struct ew_effect {
     ew_scene scene;
     ew_program_cache programs;
     GLuint vertex_array;
+    ew_depth_copy depth_copy;
     GLuint sampler; /* reads depth as it is, whatever the texture's own parameters say */
     GLuint uniform_buffer;
 };
@@ -61,6 +63,7 @@ void ew_destroy_effect(ew_effect *effect)
     const ew_gl *gl = &effect->gl;
     const ew_allocator allocator = effect->allocator;
     ew_program_cache_destroy(&effect->programs, gl, &allocator);
+    ew_depth_copy_destroy(&effect->depth_copy, gl);
     gl->DeleteSamplers(1, &effect->sampler);
     gl->DeleteBuffers(1, &effect->uniform_buffer);
     gl->DeleteVertexArrays(1, &effect->vertex_array);
@@ -96,12 +99,39 @@ static ew_gl_draw_state draw_state(const ew_frame_desc *frame)
         .viewport = {frame->viewport_x, frame->viewport_y, frame->viewport_width, frame->viewport_height},
         .blend = frame->output == EW_OUTPUT_LERP || frame->output == EW_OUTPUT_ADD,
         .source_rgb = GL_ONE,
+        .framebuffer_srgb = frame->encoding == EW_ENCODING_SRGB_8BIT,
     };
     /* The shader's alpha is min(1, B). */
     bool lerp = frame->output == EW_OUTPUT_LERP;
     state.destination_rgb = state.destination_alpha = lerp ? GL_ONE_MINUS_SRC_ALPHA : GL_ONE;
     state.source_alpha = lerp ? GL_ONE : GL_ZERO;
     return state;
+}
+
+static void draw_quad(const ew_gl *gl)
+{
+    gl->DrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+}
+
+/* Draws each sample of the target with its own depth, or, where the target has other samples, each pixel with them all. Masks
+ * do what gl_SampleID would, in every context that has multisampled textures. */
+static void draw_samples(const ew_gl *gl, GLuint program, GLint samples)
+{
+    GLint target_samples = 0, location = gl->GetUniformLocation(program, "ew_samples");
+    gl->GetIntegerv(GL_SAMPLES, &target_samples);
+    if (target_samples != samples) {
+        gl->Uniform2i(location, 0, samples);
+        draw_quad(gl);
+        return;
+    }
+    if (gl->multisample) gl->Enable(GL_MULTISAMPLE);
+    gl->Enable(GL_SAMPLE_MASK);
+    for (GLint i = 0; i < samples; i++) {
+        gl->SampleMaski(0, (GLbitfield)1 << i);
+        gl->Uniform2i(location, i, i + 1);
+        draw_quad(gl);
+    }
+    gl->Disable(GL_SAMPLE_MASK);
 }
 
 static ew_result draw(ew_effect *effect, const ew_frame_desc *frame, const struct ew_frame_block *block, ew_gl_state *state,
@@ -118,16 +148,33 @@ static ew_result draw(ew_effect *effect, const ew_frame_desc *frame, const struc
     if (gl->CheckFramebufferStatus(GL_DRAW_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
         return ew_fail(error, EW_ERROR_OPENGL, "framebuffer %u is not complete", frame->framebuffer);
 
+    ew_opaque_depth depth;
+    result = ew_opaque_depth_bind(&effect->depth_copy, gl, frame, &depth, error);
+    if (result != EW_OK) return result;
+    gl->BindSampler(EW_GL_DEPTH_TEXTURE_UNIT, effect->sampler);
     upload(effect, block);
     gl->BindBufferBase(GL_UNIFORM_BUFFER, EW_GL_UNIFORM_BINDING, effect->uniform_buffer);
-    if (frame->depth_texture) {
-        gl->ActiveTexture(GL_TEXTURE0 + EW_GL_DEPTH_TEXTURE_UNIT);
-        gl->BindTexture(GL_TEXTURE_2D, frame->depth_texture);
-        gl->BindSampler(EW_GL_DEPTH_TEXTURE_UNIT, effect->sampler);
-    }
     gl->UseProgram(program);
     gl->BindVertexArray(effect->vertex_array);
-    gl->DrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+    if (depth.samples > 0)
+        draw_samples(gl, program, depth.samples);
+    else
+        draw_quad(gl);
+    ew_opaque_depth_release(gl, &depth);
+    return EW_OK;
+}
+
+/* Checks what can be checked of a frame before any state is touched. */
+static ew_result validate_names(const ew_gl *gl, const ew_frame_desc *frame, ew_error *error)
+{
+    if (frame->framebuffer && !gl->IsFramebuffer(frame->framebuffer))
+        return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "framebuffer %u is none of this context's", frame->framebuffer);
+    if (frame->depth_source == EW_DEPTH_TEXTURE_MULTISAMPLE && !gl->SampleMaski)
+        return ew_fail(error, EW_ERROR_INVALID_ARGUMENT,
+                       "depth_source is EW_DEPTH_TEXTURE_MULTISAMPLE, but OpenGL ES has multisampled textures from 3.1 on, and "
+                       "this context is older");
+    if (frame->depth_source != EW_DEPTH_FRAMEBUFFER && frame->depth_texture && !gl->IsTexture(frame->depth_texture))
+        return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "depth_texture %u is no texture", frame->depth_texture);
     return EW_OK;
 }
 
@@ -137,15 +184,19 @@ ew_result ew_draw(ew_effect *effect, const ew_frame_desc *frame, ew_error *error
     ew_result result = ew_validate_frame(frame, error);
     if (result != EW_OK) return result;
     const ew_gl *gl = &effect->gl;
-    if (frame->framebuffer && !gl->IsFramebuffer(frame->framebuffer))
-        return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "framebuffer %u is none of this context's", frame->framebuffer);
-    if (frame->depth_texture && !gl->IsTexture(frame->depth_texture))
-        return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "depth_texture %u is no texture", frame->depth_texture);
+    result = validate_names(gl, frame, error);
+    if (result != EW_OK) return result;
 
     struct ew_frame_block block;
     result = ew_scene_pack(&effect->scene, frame, &block, error);
     if (result != EW_OK) return result;
     ew_gl_state state;
+    if (frame->skip_restore) {
+        ew_gl_assume_state(gl, &state);
+        result = draw(effect, frame, &block, &state, error);
+        ew_gl_restore_objects(gl, &state);
+        return result;
+    }
     result = ew_gl_save_state(gl, &state, error);
     if (result != EW_OK) return result;
     result = draw(effect, frame, &block, &state, error);

@@ -38,7 +38,7 @@
  * The functions without an effect are pure.
  *
  * GL. The library creates no context and links no GL. It needs OpenGL 3.3 core or OpenGL ES 3.0. Each call leaves all GL state
- * as it found it.
+ * as it found it, unless the frame says `skip_restore`.
  */
 #ifndef ENERGYWAVE_H
 #define ENERGYWAVE_H
@@ -245,8 +245,9 @@ typedef enum ew_quality {
 /* What becomes of B and of the target's colour Cb; B_i is the share of source i. */
 typedef enum ew_output {
     /* C = max(0, 1 - B) Cb + sum B_i color_i: thesis (4.8), the background's weight kept from going negative. The target's
-     * alpha A becomes max(0, 1 - B) A + min(1, B): premultiplied "over". An 8-bit target clips, which is the papers'
-     * white-out; a float target stays HDR. */
+     * alpha A becomes max(0, 1 - B) A + min(1, B): premultiplied "over". So a target cleared to 0 becomes a layer that the
+     * host may lay over its picture later, with the blend factors (1, 1 - source alpha) or a compositor that expects
+     * premultiplied colours. An 8-bit target clips, which is the papers' white-out; a float target stays HDR. */
     EW_OUTPUT_LERP,
     /* C = Cb + sum B_i color_i. The target's alpha is left alone. */
     EW_OUTPUT_ADD,
@@ -255,6 +256,35 @@ typedef enum ew_output {
     /* How often the shader evaluated the distance to a source for this pixel, in the red channel. For profiling. */
     EW_OUTPUT_EVALUATIONS,
 } ew_output;
+
+/* What a target's values mean. The library's colours are linear and are never converted by its shaders: sRGB targets are
+ * encoded once, by GL, after it has blended in linear light. GL_FRAMEBUFFER_SRGB is set for the draw as this says, whatever the
+ * host left there. OpenGL ES without EXT_sRGB_write_control has no such switch: there GL encodes exactly if the format is sRGB,
+ * and this says only what `dither` is to be like. */
+typedef enum ew_encoding {
+    EW_ENCODING_LINEAR_8BIT, /* 8 bits a channel, stored as they are, in an sRGB format too */
+    EW_ENCODING_SRGB_8BIT,   /* an sRGB format, or a window's framebuffer that is sRGB capable: GL encodes */
+    EW_ENCODING_FLOAT,       /* a float format, or one of more than 8 bits, stored as they are */
+} ew_encoding;
+
+/* Where the depth of the opaque scene is, which hides the light behind it. It must have been written with the frame's
+ * `projection` and GL's default depth range, pixel for pixel under the target. A viewport or target that is smaller than the
+ * depth is fine. */
+typedef enum ew_depth_source {
+    /* `depth_texture`: a 2D texture, level 0, with a depth or depth-stencil format (or depths in the red channel of a float
+     * format). Its swizzle, base level, compare mode, filters and depth-stencil mode do not matter. 0: nothing is opaque. */
+    EW_DEPTH_TEXTURE,
+    /* `depth_texture`: a multisampled 2D texture with such a format; OpenGL, and OpenGL ES from 3.1 on. A target with as many
+     * samples gets, in each sample, what the light does to the background that this sample sees, at the cost of one pass a
+     * sample; so what the host resolves is the mean of the samples' pictures. Any other target gets the mean over the
+     * samples of a pixel: between their results, too, but over a background that has lost its samples. */
+    EW_DEPTH_TEXTURE_MULTISAMPLE,
+    /* The depth of `framebuffer` itself, 0 included, which the library copies to a texture of its own under the viewport
+     * (and the scissor): the one way where the host draws to a window's framebuffer or to a depth renderbuffer, or keeps its
+     * depth texture attached. The texture grows to the largest viewport; it is made anew, and GL's error flag cleared, where
+     * the format changes or the size grows. Of a multisampled framebuffer GL makes one depth a pixel, as it sees fit. */
+    EW_DEPTH_FRAMEBUFFER,
+} ew_depth_source;
 
 /* One frame. Start from EW_FRAME_DEFAULTS and set the camera, the interval and the target. */
 typedef struct ew_frame_desc {
@@ -284,11 +314,34 @@ typedef struct ew_frame_desc {
     int viewport_y;
     int viewport_width;
     int viewport_height;
+    ew_encoding encoding;
+    /* 1: noise of at most half a step of an 8-bit target is added, so that faint glow does not band; 0: none. It is fixed to
+     * the pixels, keeps the mean, leaves pixels without light and the alpha alone, and is nothing for EW_ENCODING_FLOAT and for
+     * the outputs that are measurements. It cannot smooth where light of less than half a step darkens a brighter background.
+     */
+    int dither;
 
-    /* The opaque scene's depth: a single-sampled 2D texture with a depth (or depth-stencil) format, written with `projection`
-     * and the default depth range, texel for pixel under the framebuffer; 0 for none. It must not be attached to
-     * `framebuffer`: GL leaves reading it while drawing there undefined. */
+    ew_depth_source depth_source;
+    /* For the sources that are textures; else it is not looked at. It must not be attached to `framebuffer`: GL leaves reading
+     * a texture while drawing to it undefined. */
     unsigned depth_texture;
+
+    /* 0: ew_draw leaves all state as it was. 1: it asks GL for nothing that it would have to put back, for hosts that keep
+     * a cache of the state and set anew what this leaves, success or not, other than it was:
+     *
+     *   - the program in use, the vertex array, GL_UNIFORM_BUFFER and its indexed binding 0
+     *   - the active texture unit, and of unit 0 the sampler and the 2D and multisampled 2D textures
+     *   - the draw and the read framebuffer
+     *   - of viewport 0: its rectangle; of draw buffer 0: blending on or off, its factors and equations, the colour mask
+     *   - sample mask word 0, glPolygonMode, and the compatibility profile's glClampColor of fragments
+     *   - glEnable and glDisable of GL_CULL_FACE, GL_DEPTH_TEST, GL_STENCIL_TEST, GL_RASTERIZER_DISCARD, GL_FRAMEBUFFER_SRGB,
+     *     GL_MULTISAMPLE, GL_SAMPLE_ALPHA_TO_COVERAGE, GL_SAMPLE_ALPHA_TO_ONE, GL_SAMPLE_COVERAGE, GL_SAMPLE_MASK,
+     *     GL_SAMPLE_SHADING, GL_POLYGON_SMOOTH, GL_COLOR_LOGIC_OP, GL_PRIMITIVE_RESTART, GL_CLIP_DISTANCEi, GL_ALPHA_TEST,
+     *     GL_POLYGON_STIPPLE, GL_DEPTH_BOUNDS_TEST_EXT
+     *
+     * Contexts without an indexed form of a call have it changed for all viewports or draw buffers. No object of the host's is
+     * left changed. Transform feedback must not be active, unless it is paused. */
+    int skip_restore;
 } ew_frame_desc;
 
 #define EW_FRAME_DEFAULTS                                                                                                      \
@@ -297,14 +350,19 @@ typedef struct ew_frame_desc {
         .projection = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1, -1, 0, 0, -0.2, 0}, .clip_depth = EW_CLIP_DEPTH_NEGATIVE_ONE_TO_ONE,  \
         .interval_start = 0.1, .interval_end = 100, .decay_alpha = 1, .decay_beta = 1, .integrator = EW_INTEGRATOR_ADAPTIVE,   \
         .quality = EW_QUALITY_ERROR_1E_3, .simpson_divisions = 200, .output = EW_OUTPUT_LERP, .framebuffer = 0,                \
-        .viewport_x = 0, .viewport_y = 0, .viewport_width = 0, .viewport_height = 0, .depth_texture = 0                        \
+        .viewport_x = 0, .viewport_y = 0, .viewport_width = 0, .viewport_height = 0, .encoding = EW_ENCODING_LINEAR_8BIT,      \
+        .dither = 0, .depth_source = EW_DEPTH_TEXTURE, .depth_texture = 0, .skip_restore = 0                                   \
     }
 
-/* Draws the effect over what the framebuffer holds.
+/* Draws the effect over what the framebuffer holds, where the host's scissor (that of viewport 0) and conditional rendering let
+ * it: these two, and GL_DITHER, stay as the host has them.
  *
- * Errors: INVALID_ARGUMENT, OUT_OF_MEMORY, SHADER, OPENGL (an incomplete framebuffer, say).
- * GL:     the context must be current. The first draw of a new mix of source kinds, integrator, output and depth compiles a
- *         shader. Leaves all state as it was; changes only the framebuffer's colour (its first draw buffer). */
+ * Errors: INVALID_ARGUMENT, OUT_OF_MEMORY, SHADER, OPENGL (an incomplete framebuffer, say). GL itself sees an error where
+ *         depth_texture is not the kind of texture that depth_source says; ew_draw takes it out of GL's error flag, and with it
+ *         what the host may have left there.
+ * GL:     the context must be current. The first draw of a new mix of source kinds, integrator, output, depth and dither
+ *         compiles a shader. Leaves all state as it was (see skip_restore); changes only the framebuffer's colour (its first
+ *         draw buffer). */
 EW_API ew_result ew_draw(ew_effect *effect, const ew_frame_desc *frame, ew_error *error);
 
 #ifdef __cplusplus

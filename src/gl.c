@@ -40,6 +40,7 @@ static ew_gl_function load_function(function_loader *loader, const char *name, c
 DEFINE_LOAD(common, EW_GL_FUNCTIONS)
 DEFINE_LOAD(indexed_mask, EW_GL_INDEXED_MASK_FUNCTIONS)
 DEFINE_LOAD(indexed_blend, EW_GL_INDEXED_BLEND_FUNCTIONS)
+DEFINE_LOAD(multisample, EW_GL_MULTISAMPLE_FUNCTIONS)
 DEFINE_LOAD(viewport_array, EW_GL_VIEWPORT_ARRAY_FUNCTIONS)
 DEFINE_LOAD(pipeline, EW_GL_PIPELINE_FUNCTIONS)
 DEFINE_LOAD(transform_feedback, EW_GL_TRANSFORM_FEEDBACK_FUNCTIONS)
@@ -83,6 +84,7 @@ static const struct group {
       {true, 32, NULL, ""},
       {true, NEVER, "GL_OES_draw_buffers_indexed", "OES"},
       {true, NEVER, "GL_EXT_draw_buffers_indexed", "EXT"}}},
+    {load_multisample, {{false, 32, NULL, ""}, {true, 31, NULL, ""}}},
     {load_viewport_array, {{false, 41, "GL_ARB_viewport_array", ""}, {true, NEVER, "GL_OES_viewport_array", "OES"}}},
     {load_pipeline, {{false, 41, "GL_ARB_separate_shader_objects", ""}, {true, 31, "GL_EXT_separate_shader_objects", "EXT"}}},
     {load_transform_feedback, {{false, 40, "GL_ARB_transform_feedback2", ""}, {true, 30, NULL, ""}}},
@@ -181,6 +183,9 @@ ew_result ew_gl_load(ew_gl *gl, ew_gl_function (*get_proc_address)(void *user, c
 
     gl->GetIntegerv(GL_MAX_UNIFORM_BLOCK_SIZE, &gl->max_uniform_block_size);
     gl->GetIntegerv(GL_MAX_DRAW_BUFFERS, &gl->max_draw_buffers);
+    gl->framebuffer_srgb = !gl->es || has_extension(gl, "GL_EXT_sRGB_write_control");
+    gl->multisample = !gl->es || has_extension(gl, "GL_EXT_multisample_compatibility");
+    gl->stencil_texturing = gl->version >= (gl->es ? 31 : 43) || has_extension(gl, "GL_ARB_stencil_texturing");
     find_unwanted_capabilities(gl);
     return EW_OK;
 }

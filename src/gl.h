@@ -21,6 +21,7 @@
     X(PFNGLBLENDEQUATIONPROC, BlendEquation)                                                                                   \
     X(PFNGLBLENDEQUATIONSEPARATEPROC, BlendEquationSeparate)                                                                   \
     X(PFNGLBLENDFUNCSEPARATEPROC, BlendFuncSeparate)                                                                           \
+    X(PFNGLBLITFRAMEBUFFERPROC, BlitFramebuffer)                                                                               \
     X(PFNGLBUFFERDATAPROC, BufferData)                                                                                         \
     X(PFNGLBUFFERSUBDATAPROC, BufferSubData)                                                                                   \
     X(PFNGLCHECKFRAMEBUFFERSTATUSPROC, CheckFramebufferStatus)                                                                 \
@@ -29,21 +30,27 @@
     X(PFNGLCREATEPROGRAMPROC, CreateProgram)                                                                                   \
     X(PFNGLCREATESHADERPROC, CreateShader)                                                                                     \
     X(PFNGLDELETEBUFFERSPROC, DeleteBuffers)                                                                                   \
+    X(PFNGLDELETEFRAMEBUFFERSPROC, DeleteFramebuffers)                                                                         \
     X(PFNGLDELETEPROGRAMPROC, DeleteProgram)                                                                                   \
     X(PFNGLDELETESAMPLERSPROC, DeleteSamplers)                                                                                 \
     X(PFNGLDELETESHADERPROC, DeleteShader)                                                                                     \
+    X(PFNGLDELETETEXTURESPROC, DeleteTextures)                                                                                 \
     X(PFNGLDELETEVERTEXARRAYSPROC, DeleteVertexArrays)                                                                         \
     X(PFNGLDETACHSHADERPROC, DetachShader)                                                                                     \
     X(PFNGLDISABLEPROC, Disable)                                                                                               \
     X(PFNGLDRAWARRAYSPROC, DrawArrays)                                                                                         \
     X(PFNGLDRAWBUFFERSPROC, DrawBuffers)                                                                                       \
     X(PFNGLENABLEPROC, Enable)                                                                                                 \
+    X(PFNGLFRAMEBUFFERTEXTURE2DPROC, FramebufferTexture2D)                                                                     \
     X(PFNGLGENBUFFERSPROC, GenBuffers)                                                                                         \
+    X(PFNGLGENFRAMEBUFFERSPROC, GenFramebuffers)                                                                               \
     X(PFNGLGENSAMPLERSPROC, GenSamplers)                                                                                       \
+    X(PFNGLGENTEXTURESPROC, GenTextures)                                                                                       \
     X(PFNGLGENVERTEXARRAYSPROC, GenVertexArrays)                                                                               \
     X(PFNGLGETBOOLEANVPROC, GetBooleanv)                                                                                       \
     X(PFNGLGETERRORPROC, GetError)                                                                                             \
     X(PFNGLGETFLOATVPROC, GetFloatv)                                                                                           \
+    X(PFNGLGETFRAMEBUFFERATTACHMENTPARAMETERIVPROC, GetFramebufferAttachmentParameteriv)                                       \
     X(PFNGLGETINTEGER64I_VPROC, GetInteger64i_v)                                                                               \
     X(PFNGLGETINTEGERI_VPROC, GetIntegeri_v)                                                                                   \
     X(PFNGLGETINTEGERVPROC, GetIntegerv)                                                                                       \
@@ -53,6 +60,7 @@
     X(PFNGLGETSHADERIVPROC, GetShaderiv)                                                                                       \
     X(PFNGLGETSTRINGPROC, GetString)                                                                                           \
     X(PFNGLGETSTRINGIPROC, GetStringi)                                                                                         \
+    X(PFNGLGETTEXPARAMETERIVPROC, GetTexParameteriv)                                                                           \
     X(PFNGLGETUNIFORMBLOCKINDEXPROC, GetUniformBlockIndex)                                                                     \
     X(PFNGLGETUNIFORMLOCATIONPROC, GetUniformLocation)                                                                         \
     X(PFNGLISBUFFERPROC, IsBuffer)                                                                                             \
@@ -61,9 +69,13 @@
     X(PFNGLISSAMPLERPROC, IsSampler)                                                                                           \
     X(PFNGLISTEXTUREPROC, IsTexture)                                                                                           \
     X(PFNGLLINKPROGRAMPROC, LinkProgram)                                                                                       \
+    X(PFNGLREADBUFFERPROC, ReadBuffer)                                                                                         \
     X(PFNGLSAMPLERPARAMETERIPROC, SamplerParameteri)                                                                           \
     X(PFNGLSHADERSOURCEPROC, ShaderSource)                                                                                     \
+    X(PFNGLTEXIMAGE2DPROC, TexImage2D)                                                                                         \
+    X(PFNGLTEXPARAMETERIPROC, TexParameteri)                                                                                   \
     X(PFNGLUNIFORM1IPROC, Uniform1i)                                                                                           \
+    X(PFNGLUNIFORM2IPROC, Uniform2i)                                                                                           \
     X(PFNGLUNIFORMBLOCKBINDINGPROC, UniformBlockBinding)                                                                       \
     X(PFNGLUSEPROGRAMPROC, UseProgram)                                                                                         \
     X(PFNGLVIEWPORTPROC, Viewport)
@@ -77,6 +89,10 @@
     X(PFNGLBLENDEQUATIONIPROC, BlendEquationi)                                                                                 \
     X(PFNGLBLENDEQUATIONSEPARATEIPROC, BlendEquationSeparatei)                                                                 \
     X(PFNGLBLENDFUNCSEPARATEIPROC, BlendFuncSeparatei)
+/* multisampled textures and sample masks, */
+#define EW_GL_MULTISAMPLE_FUNCTIONS(X)                                                                                         \
+    X(PFNGLGETTEXLEVELPARAMETERIVPROC, GetTexLevelParameteriv)                                                                 \
+    X(PFNGLSAMPLEMASKIPROC, SampleMaski)
 /* one viewport of several, */
 #define EW_GL_VIEWPORT_ARRAY_FUNCTIONS(X) X(PFNGLVIEWPORTINDEXEDFPROC, ViewportIndexedf)
 /* program pipelines, */
@@ -99,6 +115,7 @@ typedef struct ew_gl {
     EW_GL_FUNCTIONS(EW_GL_MEMBER)
     EW_GL_INDEXED_MASK_FUNCTIONS(EW_GL_MEMBER)
     EW_GL_INDEXED_BLEND_FUNCTIONS(EW_GL_MEMBER)
+    EW_GL_MULTISAMPLE_FUNCTIONS(EW_GL_MEMBER)
     EW_GL_VIEWPORT_ARRAY_FUNCTIONS(EW_GL_MEMBER)
     EW_GL_PIPELINE_FUNCTIONS(EW_GL_MEMBER)
     EW_GL_TRANSFORM_FEEDBACK_FUNCTIONS(EW_GL_MEMBER)
@@ -111,6 +128,9 @@ typedef struct ew_gl {
     int version;        /* 10 * major + minor */
     GLint max_uniform_block_size;
     GLint max_draw_buffers;
+    bool framebuffer_srgb;  /* GL_FRAMEBUFFER_SRGB can be enabled and disabled */
+    bool multisample;       /* likewise GL_MULTISAMPLE */
+    bool stencil_texturing; /* textures have GL_DEPTH_STENCIL_TEXTURE_MODE */
 
     /* Of the capabilities that glEnable takes, those of this context that must be off while the effect draws. */
     GLenum unwanted_capabilities[EW_GL_MAX_CAPABILITIES];

@@ -5,6 +5,7 @@
 extern const char ew_glsl_layout_glsl[];
 extern const char ew_glsl_blocks_glsl[];
 extern const char ew_glsl_depth_glsl[];
+extern const char ew_glsl_dither_glsl[];
 extern const char ew_glsl_segment_glsl[];
 extern const char ew_glsl_quadrature_glsl[];
 extern const char ew_glsl_point_glsl[];

@@ -21,13 +21,31 @@ static unsigned count_of(unsigned key, int kind)
     return key >> count_shift(kind) & ((1u << EW_PROGRAM_COUNT_BITS) - 1);
 }
 
+static bool has_depth(const ew_frame_desc *frame)
+{
+    return frame->depth_source == EW_DEPTH_FRAMEBUFFER || frame->depth_texture != 0;
+}
+
+static bool is_dithered(const ew_frame_desc *frame)
+{
+    bool is_picture = frame->output == EW_OUTPUT_LERP || frame->output == EW_OUTPUT_ADD;
+    return frame->dither && is_picture && frame->encoding != EW_ENCODING_FLOAT;
+}
+
 unsigned ew_program_key(const ew_scene *scene, const ew_frame_desc *frame)
 {
     const ew_sources_desc *sources = &scene->sources;
     const size_t counts[KIND_COUNT] = {sources->point_count, sources->line_count, sources->torus_count, sources->curve_count};
     unsigned key = 0;
     if (scene->weight_piece_count > 0) key |= EW_PROGRAM_WEIGHTS;
-    if (frame->depth_texture) key |= EW_PROGRAM_DEPTH;
+    if (has_depth(frame)) {
+        key |= EW_PROGRAM_DEPTH;
+        if (frame->depth_source == EW_DEPTH_TEXTURE_MULTISAMPLE) key |= EW_PROGRAM_DEPTH_MULTISAMPLE;
+    }
+    if (is_dithered(frame)) {
+        key |= EW_PROGRAM_DITHER;
+        if (frame->encoding == EW_ENCODING_SRGB_8BIT) key |= EW_PROGRAM_DITHER_SRGB;
+    }
     if (frame->integrator == EW_INTEGRATOR_SIMPSON) key |= EW_PROGRAM_SIMPSON;
     if (frame->output == EW_OUTPUT_LUMINANCE) key |= EW_PROGRAM_LUMINANCE;
     if (frame->output == EW_OUTPUT_EVALUATIONS) key |= EW_PROGRAM_EVALUATIONS;
@@ -48,6 +66,16 @@ static bool always(unsigned key)
 static bool reads_depth(unsigned key)
 {
     return key & EW_PROGRAM_DEPTH;
+}
+
+static bool reads_samples(unsigned key)
+{
+    return key & EW_PROGRAM_DEPTH_MULTISAMPLE;
+}
+
+static bool dithers(unsigned key)
+{
+    return key & EW_PROGRAM_DITHER;
 }
 
 static bool has_weights(unsigned key)
@@ -106,24 +134,38 @@ static const struct {
     {"#define EW_SHAPE ew_arc\n", integrates_curves},
     {ew_glsl_rest_glsl, integrates_curves},
     {"#undef EW_SHAPE\n", integrates_curves},
+    {ew_glsl_dither_glsl, dithers},
     {ew_glsl_wave_frag, always},
 };
 
 enum { FRAGMENT_FILE_COUNT = sizeof fragment_files / sizeof fragment_files[0], MAX_HEADER_LENGTH = 1024 };
 
+/* Multisampled textures came to OpenGL with GLSL 1.50, and to OpenGL ES with 3.10. */
+static const char *version_of(const ew_gl *gl, unsigned key)
+{
+    if (!gl->es) return "#version 330 core\n";
+    return reads_samples(key) ? "#version 310 es\n" : "#version 300 es\n";
+}
+
+static const char *precision_of(const ew_gl *gl, unsigned key)
+{
+    if (!gl->es) return "";
+    return reads_samples(key) ? "precision highp float;\nprecision highp int;\nprecision highp sampler2DMS;\n"
+                              : "precision highp float;\nprecision highp int;\nprecision highp sampler2D;\n";
+}
+
 /* Version, precision and the permutation's defines. */
 static void write_header(char header[MAX_HEADER_LENGTH], const ew_gl *gl, size_t capacity, unsigned key)
 {
-    static const char *const flags[EW_PROGRAM_FLAG_COUNT] = {"EW_WEIGHTS", "EW_DEPTH", "EW_SIMPSON", "EW_LUMINANCE",
-                                                             "EW_EVALUATIONS"};
+    static const char *const flags[EW_PROGRAM_FLAG_COUNT] = {"EW_WEIGHTS",   "EW_DEPTH",       "EW_SIMPSON",
+                                                             "EW_LUMINANCE", "EW_EVALUATIONS", "EW_DEPTH_MULTISAMPLE",
+                                                             "EW_DITHER",    "EW_DITHER_SRGB"};
     static const struct {
         const char *lists, *kind, *count;
     } names[KIND_COUNT] = {{"POINTS", "POINT", "x"}, {"LINES", "LINE", "y"}, {"TORI", "TORUS", "z"}, {"CURVES", "CURVE", "w"}};
 
-    int used = snprintf(header, MAX_HEADER_LENGTH, "%s#define EW_SOURCE_DATA_SIZE %zu\n",
-                        gl->es ? "#version 300 es\nprecision highp float;\nprecision highp int;\nprecision highp sampler2D;\n"
-                               : "#version 330 core\n",
-                        capacity);
+    int used = snprintf(header, MAX_HEADER_LENGTH, "%s%s#define EW_SOURCE_DATA_SIZE %zu\n", version_of(gl, key),
+                        precision_of(gl, key), capacity);
     for (int i = 0; i < EW_PROGRAM_FLAG_COUNT; ++i)
         if (key & (1u << i)) used += snprintf(header + used, MAX_HEADER_LENGTH - (size_t)used, "#define %s\n", flags[i]);
     for (int kind = 0; kind < KIND_COUNT; ++kind) {
@@ -161,9 +203,9 @@ static GLuint compile(const ew_gl *gl, GLenum stage, int count, const char *cons
     return 0;
 }
 
-static GLuint compile_vertex_shader(const ew_gl *gl, ew_error *error)
+static GLuint compile_vertex_shader(const ew_gl *gl, unsigned key, ew_error *error)
 {
-    const char *strings[] = {gl->es ? "#version 300 es\n" : "#version 330 core\n", "#line 1 0\n", ew_glsl_quad_vert};
+    const char *strings[] = {version_of(gl, key), "#line 1 0\n", ew_glsl_quad_vert};
     return compile(gl, GL_VERTEX_SHADER, 3, strings, error);
 }
 
@@ -217,7 +259,7 @@ static void assign_bindings(const ew_gl *gl, GLuint program)
 
 static ew_result build(const ew_gl *gl, size_t capacity, unsigned key, GLuint *program, ew_error *error)
 {
-    GLuint vertex_shader = compile_vertex_shader(gl, error);
+    GLuint vertex_shader = compile_vertex_shader(gl, key, error);
     if (!vertex_shader) return EW_ERROR_SHADER;
     GLuint fragment_shader = compile_fragment_shader(gl, capacity, key, error);
     ew_result result = EW_ERROR_SHADER;

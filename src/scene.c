@@ -359,6 +359,12 @@ ew_result ew_validate_frame(const ew_frame_desc *frame, ew_error *error)
                        EW_MAX_SIMPSON_DIVISIONS);
     if (frame->viewport_width <= 0 || frame->viewport_height <= 0)
         return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "viewport_width and viewport_height must be > 0");
+    if (!in_enum((int)frame->encoding, EW_ENCODING_FLOAT))
+        return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "encoding must be one of ew_encoding");
+    if (!in_enum((int)frame->depth_source, EW_DEPTH_FRAMEBUFFER))
+        return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "depth_source must be one of ew_depth_source");
+    if (!in_enum(frame->dither, 1)) return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "dither must be 0 or 1");
+    if (!in_enum(frame->skip_restore, 1)) return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "skip_restore must be 0 or 1");
     return EW_OK;
 }
 

@@ -75,9 +75,14 @@ ew_result ew_gl_save_state(const ew_gl *gl, ew_gl_state *state, ew_error *error)
     state->active_texture = (GLenum)get_integer(gl, GL_ACTIVE_TEXTURE);
     gl->ActiveTexture(GL_TEXTURE0 + EW_GL_DEPTH_TEXTURE_UNIT);
     state->texture = get_binding(gl, GL_TEXTURE_BINDING_2D, gl->IsTexture);
+    if (gl->SampleMaski) {
+        state->multisampled_texture = get_binding(gl, GL_TEXTURE_BINDING_2D_MULTISAMPLE, gl->IsTexture);
+        gl->GetIntegeri_v(GL_SAMPLE_MASK_VALUE, 0, &state->sample_mask);
+    }
     state->sampler = get_binding(gl, GL_SAMPLER_BINDING, gl->IsSampler);
 
-    state->framebuffer = (GLuint)get_integer(gl, GL_DRAW_FRAMEBUFFER_BINDING);
+    state->draw_framebuffer = (GLuint)get_integer(gl, GL_DRAW_FRAMEBUFFER_BINDING);
+    state->read_framebuffer = (GLuint)get_integer(gl, GL_READ_FRAMEBUFFER_BINDING);
     state->draw_buffer_count = 0;
     gl->GetFloatv(GL_VIEWPORT, state->viewport);
 
@@ -98,9 +103,23 @@ ew_result ew_gl_save_state(const ew_gl *gl, ew_gl_state *state, ew_error *error)
         state->polygon_mode[1] = (GLenum)modes[1];
     }
     if (gl->ClampColor) state->clamp_fragment_color = (GLenum)get_integer(gl, COMPATIBILITY_CLAMP_FRAGMENT_COLOR);
+    if (gl->multisample) state->multisample = gl->IsEnabled(GL_MULTISAMPLE);
+    if (gl->framebuffer_srgb) state->framebuffer_srgb = gl->IsEnabled(GL_FRAMEBUFFER_SRGB);
     for (int i = 0; i < gl->unwanted_capability_count; i++)
         state->capabilities[i] = gl->IsEnabled(gl->unwanted_capabilities[i]);
     return EW_OK;
+}
+
+void ew_gl_assume_state(const ew_gl *gl, ew_gl_state *state)
+{
+    *state = (ew_gl_state){0};
+    for (int i = 0; i < gl->unwanted_capability_count; i++)
+        state->capabilities[i] = true;
+}
+
+static void set_capability(const ew_gl *gl, GLenum capability, bool on)
+{
+    (on ? gl->Enable : gl->Disable)(capability);
 }
 
 static void set_viewport(const ew_gl *gl, const GLfloat viewport[4])
@@ -117,7 +136,7 @@ static void set_blend(const ew_gl *gl, bool blend)
     if (gl->Enablei)
         (blend ? gl->Enablei : gl->Disablei)(GL_BLEND, 0);
     else
-        (blend ? gl->Enable : gl->Disable)(GL_BLEND);
+        set_capability(gl, GL_BLEND, blend);
 }
 
 static void set_blend_factors(const ew_gl *gl, GLenum source_rgb, GLenum destination_rgb, GLenum source_alpha,
@@ -180,6 +199,7 @@ void ew_gl_set_draw_state(const ew_gl *gl, ew_gl_state *state, const ew_gl_draw_
     set_color_mask(gl, (const GLboolean[4]){GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE});
     if (gl->PolygonMode) gl->PolygonMode(GL_FRONT_AND_BACK, GL_FILL);
     if (gl->ClampColor) gl->ClampColor(COMPATIBILITY_CLAMP_FRAGMENT_COLOR, GL_FALSE);
+    if (gl->framebuffer_srgb) set_capability(gl, GL_FRAMEBUFFER_SRGB, draw->framebuffer_srgb);
     for (int i = 0; i < gl->unwanted_capability_count; i++)
         if (state->capabilities[i]) gl->Disable(gl->unwanted_capabilities[i]);
 }
@@ -195,10 +215,18 @@ static void restore_uniform_binding(const ew_gl *gl, const ew_gl_state *state)
     gl->BindBuffer(GL_UNIFORM_BUFFER, state->uniform_buffer); /* last: the others set it too */
 }
 
+void ew_gl_restore_objects(const ew_gl *gl, const ew_gl_state *state)
+{
+    if (state->draw_buffer_count > 0) gl->DrawBuffers(state->draw_buffer_count, state->draw_buffers);
+}
+
 void ew_gl_restore_state(const ew_gl *gl, const ew_gl_state *state)
 {
+    ew_gl_restore_objects(gl, state);
     for (int i = 0; i < gl->unwanted_capability_count; i++)
         if (state->capabilities[i]) gl->Enable(gl->unwanted_capabilities[i]);
+    if (gl->framebuffer_srgb) set_capability(gl, GL_FRAMEBUFFER_SRGB, state->framebuffer_srgb);
+    if (gl->multisample) set_capability(gl, GL_MULTISAMPLE, state->multisample);
     if (gl->ClampColor) gl->ClampColor(COMPATIBILITY_CLAMP_FRAGMENT_COLOR, state->clamp_fragment_color);
     if (gl->PolygonMode) {
         if (state->polygon_mode[0] == state->polygon_mode[1]) {
@@ -214,11 +242,15 @@ void ew_gl_restore_state(const ew_gl *gl, const ew_gl_state *state)
                       state->blend_destination_alpha);
     set_blend(gl, state->blend);
     set_viewport(gl, state->viewport);
-    if (state->draw_buffer_count > 0) gl->DrawBuffers(state->draw_buffer_count, state->draw_buffers);
-    gl->BindFramebuffer(GL_DRAW_FRAMEBUFFER, state->framebuffer);
+    gl->BindFramebuffer(GL_DRAW_FRAMEBUFFER, state->draw_framebuffer);
+    gl->BindFramebuffer(GL_READ_FRAMEBUFFER, state->read_framebuffer);
 
     gl->ActiveTexture(GL_TEXTURE0 + EW_GL_DEPTH_TEXTURE_UNIT);
     gl->BindTexture(GL_TEXTURE_2D, state->texture);
+    if (gl->SampleMaski) {
+        gl->BindTexture(GL_TEXTURE_2D_MULTISAMPLE, state->multisampled_texture);
+        gl->SampleMaski(0, (GLbitfield)state->sample_mask);
+    }
     gl->BindSampler(EW_GL_DEPTH_TEXTURE_UNIT, state->sampler);
     gl->ActiveTexture(state->active_texture);
 

@@ -4,7 +4,8 @@
 
 #include "gl.h"
 
-/* The texture unit of which the effect uses the 2D texture and the sampler, and the uniform buffer binding. */
+/* The texture unit of which the effect uses the 2D and multisampled 2D textures and the sampler, and the uniform buffer
+ * binding. */
 enum { EW_GL_DEPTH_TEXTURE_UNIT = 0, EW_GL_UNIFORM_BINDING = 0 };
 
 /* As many as GL has enumerators for. */
@@ -25,8 +26,10 @@ typedef struct ew_gl_state {
     ew_gl_buffer_binding uniform_binding;
     GLenum active_texture;
     GLuint texture;
+    GLuint multisampled_texture;
     GLuint sampler;
-    GLuint framebuffer;
+    GLuint draw_framebuffer;
+    GLuint read_framebuffer;
     GLenum draw_buffers[EW_GL_MAX_DRAW_BUFFERS]; /* of the framebuffer that the effect draws to */
     int draw_buffer_count;                       /* 0: not changed */
     GLfloat viewport[4];
@@ -36,6 +39,9 @@ typedef struct ew_gl_state {
     GLboolean color_mask[4];
     GLenum polygon_mode[2];
     GLenum clamp_fragment_color;
+    GLint sample_mask;
+    bool multisample;
+    bool framebuffer_srgb;
     bool capabilities[EW_GL_MAX_CAPABILITIES];
 } ew_gl_state;
 
@@ -45,6 +51,7 @@ typedef struct ew_gl_draw_state {
     GLint viewport[4];
     bool blend; /* with these factors, adding */
     GLenum source_rgb, destination_rgb, source_alpha, destination_alpha;
+    bool framebuffer_srgb;
 } ew_gl_draw_state;
 
 /* What the guard cannot keep: samples that the effect draws count in the host's active queries; an object that another context
@@ -57,11 +64,20 @@ typedef struct ew_gl_draw_state {
  * Errors: OPENGL, if the state is one that GL cannot return to; then nothing is changed. */
 ew_result ew_gl_save_state(const ew_gl *gl, ew_gl_state *state, ew_error *error);
 
+/* Instead of saving, for a host that wants no restoration: takes every unwanted capability to be on. ew_gl_restore_objects must
+ * follow. */
+void ew_gl_assume_state(const ew_gl *gl, ew_gl_state *state);
+
 /* Puts everything that could influence a triangle that covers the viewport, drawn with the effect's program and vertex array,
- * into a known state. The host's scissor stays in force; so do dithering, sRGB encoding and conditional rendering. */
+ * into a known state. The host's scissor stays in force; so do GL_DITHER and conditional rendering. Multisampling is the
+ * host's, without a sample mask; but that, its word 0 and GL_MULTISAMPLE may be changed until the state is restored, when the
+ * mask must be off again. */
 void ew_gl_set_draw_state(const ew_gl *gl, ew_gl_state *state, const ew_gl_draw_state *draw);
 
-/* Returns to the saved state. */
+/* Returns the host's objects to what they were, while the effect's framebuffer is still bound for drawing. */
+void ew_gl_restore_objects(const ew_gl *gl, const ew_gl_state *state);
+
+/* Returns to the saved state, objects included. */
 void ew_gl_restore_state(const ew_gl *gl, const ew_gl_state *state);
 
 #endif

@@ -90,6 +90,16 @@ static void write_permutation(ew_program_cache *cache, const ew_gl *gl, size_t c
     exit(EXIT_FAILURE);
 }
 
+/* What main() does with the integral is the same for all of them: multisampled depth and dither meet only some. */
+static bool is_wanted_pass(unsigned flags)
+{
+    const unsigned dither = EW_PROGRAM_DITHER | EW_PROGRAM_DITHER_SRGB;
+    if (flags & EW_PROGRAM_DEPTH_MULTISAMPLE)
+        return flags & EW_PROGRAM_DEPTH && !(flags & (dither | EW_PROGRAM_SIMPSON | EW_PROGRAM_WEIGHTS));
+    if (flags & dither) return flags == EW_PROGRAM_DITHER || flags == dither;
+    return true;
+}
+
 /* Every set of flags that can meet, on every set of kinds, with few sources of each (a literal count) and with many. */
 static void write_permutations(const ew_gl *gl, size_t capacity)
 {
@@ -97,6 +107,7 @@ static void write_permutations(const ew_gl *gl, size_t capacity)
     ew_program_cache cache = {0};
     for (unsigned flags = 0; flags < 1u << EW_PROGRAM_FLAG_COUNT; ++flags) {
         if ((flags & BOTH_OUTPUTS) == BOTH_OUTPUTS) continue;
+        if (!is_wanted_pass(flags)) continue;
         for (unsigned kinds = 0; kinds < 1u << KIND_COUNT; ++kinds) {
             if (flags & EW_PROGRAM_WEIGHTS && !(kinds & ALL_CURVES)) continue;
             for (unsigned count = 1; count <= EW_PROGRAM_MAX_UNROLLED + 1; count += EW_PROGRAM_MAX_UNROLLED) {

@@ -196,6 +196,18 @@ static void values_outside_an_enumeration_are_refused(void **state)
         frame = good_frame();
         frame.output = (ew_output)bad[i];
         expect_refused(&frame, "output");
+        frame = good_frame();
+        frame.encoding = (ew_encoding)bad[i];
+        expect_refused(&frame, "encoding");
+        frame = good_frame();
+        frame.depth_source = (ew_depth_source)bad[i];
+        expect_refused(&frame, "depth_source");
+        frame = good_frame();
+        frame.dither = bad[i];
+        expect_refused(&frame, "dither");
+        frame = good_frame();
+        frame.skip_restore = bad[i];
+        expect_refused(&frame, "skip_restore");
     }
 }
 

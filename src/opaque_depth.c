@@ -1,0 +1,273 @@
+/* Depth textures of the host's, and copies of framebuffers' depth. */
+#include "opaque_depth.h"
+
+#include "error.h"
+#include "state_guard.h"
+
+/* The compatibility profile's parameter of depth textures, which the core profile dropped, and its value for red. */
+enum { COMPATIBILITY_DEPTH_TEXTURE_MODE = 0x884B };
+
+/* ---- The host's textures ---- */
+
+/* The parameters that the shader's reads go through, and those that reads of depth as it is want. (The sampler object sees to
+ * the rest.) */
+static const struct {
+    GLenum name;
+    GLint wanted;
+} parameters[EW_DEPTH_PARAMETER_COUNT] = {
+    {GL_TEXTURE_SWIZZLE_R, GL_RED},
+    {GL_TEXTURE_BASE_LEVEL, 0},
+    {GL_DEPTH_STENCIL_TEXTURE_MODE, GL_DEPTH_COMPONENT},
+    {COMPATIBILITY_DEPTH_TEXTURE_MODE, GL_RED},
+};
+
+static bool has_parameter(const ew_gl *gl, GLenum target, GLenum name)
+{
+    switch (name) {
+    case GL_TEXTURE_BASE_LEVEL:
+        return target == GL_TEXTURE_2D; /* the other's is always 0 */
+    case GL_DEPTH_STENCIL_TEXTURE_MODE:
+        return gl->stencil_texturing;
+    case COMPATIBILITY_DEPTH_TEXTURE_MODE:
+        return gl->compatibility && target == GL_TEXTURE_2D;
+    default:
+        return true;
+    }
+}
+
+static void set_parameters(const ew_gl *gl, ew_opaque_depth *depth)
+{
+    for (int i = 0; i < EW_DEPTH_PARAMETER_COUNT; i++) {
+        if (!has_parameter(gl, depth->target, parameters[i].name)) continue;
+        gl->GetTexParameteriv(depth->target, parameters[i].name, &depth->parameters[i]);
+        depth->changed[i] = depth->parameters[i] != parameters[i].wanted;
+        if (depth->changed[i]) gl->TexParameteri(depth->target, parameters[i].name, parameters[i].wanted);
+    }
+}
+
+/* GL does not tell a texture's target, but it binds a texture to no other; that is an error then, and the binding stays. */
+static ew_result bind_texture(const ew_gl *gl, const ew_frame_desc *frame, GLenum target, ew_error *error)
+{
+    bool multisampled = target == GL_TEXTURE_2D_MULTISAMPLE;
+    GLint bound = 0;
+    gl->BindTexture(target, 0);
+    gl->BindTexture(target, frame->depth_texture);
+    gl->GetIntegerv(multisampled ? GL_TEXTURE_BINDING_2D_MULTISAMPLE : GL_TEXTURE_BINDING_2D, &bound);
+    if ((GLuint)bound == frame->depth_texture) return EW_OK;
+    gl->GetError();
+    return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "depth_texture %u is no %s, which depth_source says that it is",
+                   frame->depth_texture, multisampled ? "GL_TEXTURE_2D_MULTISAMPLE" : "GL_TEXTURE_2D");
+}
+
+static ew_result check_not_attached(const ew_gl *gl, const ew_frame_desc *frame, ew_error *error)
+{
+    GLint type = GL_NONE, name = 0;
+    if (frame->framebuffer == 0) return EW_OK;
+    gl->GetFramebufferAttachmentParameteriv(GL_DRAW_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE,
+                                            &type);
+    if (type != GL_TEXTURE) return EW_OK;
+    gl->GetFramebufferAttachmentParameteriv(GL_DRAW_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_FRAMEBUFFER_ATTACHMENT_OBJECT_NAME,
+                                            &name);
+    if ((GLuint)name != frame->depth_texture) return EW_OK;
+    return ew_fail(error, EW_ERROR_INVALID_ARGUMENT,
+                   "depth_texture %u is attached to framebuffer %u, which GL cannot draw to while it reads the texture; detach "
+                   "it, or set depth_source to EW_DEPTH_FRAMEBUFFER",
+                   frame->depth_texture, frame->framebuffer);
+}
+
+static ew_result bind_host_texture(const ew_gl *gl, const ew_frame_desc *frame, ew_opaque_depth *depth, ew_error *error)
+{
+    bool multisampled = frame->depth_source == EW_DEPTH_TEXTURE_MULTISAMPLE;
+    ew_result result = check_not_attached(gl, frame, error);
+    if (result != EW_OK) return result;
+    depth->target = multisampled ? GL_TEXTURE_2D_MULTISAMPLE : GL_TEXTURE_2D;
+    result = bind_texture(gl, frame, depth->target, error);
+    if (result != EW_OK) return result;
+    if (multisampled) {
+        gl->GetTexLevelParameteriv(depth->target, 0, GL_TEXTURE_SAMPLES, &depth->samples);
+        if (depth->samples < 1)
+            return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "depth_texture %u has no storage", frame->depth_texture);
+    }
+    set_parameters(gl, depth);
+    return EW_OK;
+}
+
+/* ---- Copies of a framebuffer's depth ---- */
+
+/* The formats that depth buffers have. GL copies depth only between equal ones (OpenGL ES 3.2, 16.2.1), but tells no more than
+ * their bits: whether 24 bits stand beside a stencil or beside nothing takes a try. */
+static const struct {
+    GLint depth_bits;
+    GLenum component_type;
+    GLint internal_format;
+    GLenum format;
+    GLenum type;
+    bool stencil;
+    bool es;
+} copy_formats[] = {
+    {16, GL_UNSIGNED_NORMALIZED, GL_DEPTH_COMPONENT16, GL_DEPTH_COMPONENT, GL_UNSIGNED_SHORT, false, true},
+    {24, GL_UNSIGNED_NORMALIZED, GL_DEPTH24_STENCIL8, GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8, true, true},
+    {24, GL_UNSIGNED_NORMALIZED, GL_DEPTH_COMPONENT24, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, false, true},
+    {32, GL_UNSIGNED_NORMALIZED, GL_DEPTH_COMPONENT32, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, false, false},
+    {32, GL_FLOAT, GL_DEPTH32F_STENCIL8, GL_DEPTH_STENCIL, GL_FLOAT_32_UNSIGNED_INT_24_8_REV, true, true},
+    {32, GL_FLOAT, GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, GL_FLOAT, false, true},
+};
+enum { COPY_FORMAT_COUNT = sizeof copy_formats / sizeof copy_formats[0] };
+
+static GLint attachment_parameter(const ew_gl *gl, GLenum attachment, GLenum name)
+{
+    GLint value = 0;
+    gl->GetFramebufferAttachmentParameteriv(GL_READ_FRAMEBUFFER, attachment, name, &value);
+    return value;
+}
+
+/* The depth of the read framebuffer, as far as GL tells; depth_bits 0: it has none. */
+static ew_depth_copy ask_depth(const ew_gl *gl, bool is_window)
+{
+    const GLenum depth = is_window ? GL_DEPTH : GL_DEPTH_ATTACHMENT, stencil = is_window ? GL_STENCIL : GL_STENCIL_ATTACHMENT;
+    ew_depth_copy asked = {0};
+    if (attachment_parameter(gl, depth, GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE) == GL_NONE) return asked;
+    asked.depth_bits = attachment_parameter(gl, depth, GL_FRAMEBUFFER_ATTACHMENT_DEPTH_SIZE);
+    asked.component_type = attachment_parameter(gl, depth, GL_FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE);
+    if (attachment_parameter(gl, stencil, GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE) != GL_NONE)
+        asked.stencil_bits = attachment_parameter(gl, stencil, GL_FRAMEBUFFER_ATTACHMENT_STENCIL_SIZE);
+    return asked;
+}
+
+static void create_objects(ew_depth_copy *copy, const ew_gl *gl)
+{
+    gl->GenTextures(1, &copy->texture);
+    gl->GenFramebuffers(1, &copy->framebuffer);
+    gl->BindFramebuffer(GL_FRAMEBUFFER, copy->framebuffer);
+    /* Before OpenGL 4.1 a framebuffer whose colour buffers are missing is incomplete. */
+    gl->DrawBuffers(1, &(GLenum){GL_NONE});
+    gl->ReadBuffer(GL_NONE);
+}
+
+/* Gives the copy's texture, which is bound, new storage. With a pixel unpack buffer bound, GL would fill it from there. */
+static void allocate(const ew_depth_copy *copy, const ew_gl *gl, int format)
+{
+    GLint unpack_buffer = 0;
+    gl->GetIntegerv(GL_PIXEL_UNPACK_BUFFER_BINDING, &unpack_buffer);
+    gl->BindBuffer(GL_PIXEL_UNPACK_BUFFER, 0);
+    gl->TexImage2D(GL_TEXTURE_2D, 0, copy_formats[format].internal_format, copy->width, copy->height, 0,
+                   copy_formats[format].format, copy_formats[format].type, NULL);
+    if (unpack_buffer != 0 && gl->IsBuffer((GLuint)unpack_buffer))
+        gl->BindBuffer(GL_PIXEL_UNPACK_BUFFER, (GLuint)unpack_buffer);
+    gl->FramebufferTexture2D(GL_DRAW_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, copy->texture, 0);
+}
+
+/* The pixels under the viewport, from the lower left corner (inclusive) to the upper right (exclusive). */
+typedef struct rectangle {
+    GLint left, bottom, right, top;
+} rectangle;
+
+static GLint clamp(long long value, GLint limit)
+{
+    return value < 0 ? 0 : value > limit ? limit : (GLint)value;
+}
+
+static rectangle viewport_rectangle(const ew_frame_desc *frame, GLint limit)
+{
+    return (rectangle){clamp(frame->viewport_x, limit), clamp(frame->viewport_y, limit),
+                       clamp((long long)frame->viewport_x + frame->viewport_width, limit),
+                       clamp((long long)frame->viewport_y + frame->viewport_height, limit)};
+}
+
+/* Equal rectangles: OpenGL ES copies multisampled framebuffers to no others. The host's scissor holds here too, which leaves
+ * out only what is not drawn. */
+static void copy_pixels(const ew_gl *gl, const rectangle *area)
+{
+    gl->BlitFramebuffer(area->left, area->bottom, area->right, area->top, area->left, area->bottom, area->right, area->top,
+                        GL_DEPTH_BUFFER_BIT, GL_NEAREST);
+}
+
+/* A lost context reports errors for ever. */
+static void clear_errors(const ew_gl *gl)
+{
+    for (int i = 0; i < 16 && gl->GetError() != GL_NO_ERROR; i++)
+        continue;
+}
+
+static bool try_formats(const ew_depth_copy *copy, const ew_gl *gl, const rectangle *area)
+{
+    bool with_stencil = copy->stencil_bits > 0;
+    for (int pass = 0; pass < 2; pass++, with_stencil = !with_stencil) {
+        for (int i = 0; i < COPY_FORMAT_COUNT; i++) {
+            if (copy_formats[i].depth_bits != copy->depth_bits || copy_formats[i].stencil != with_stencil ||
+                copy_formats[i].component_type != (GLenum)copy->component_type || (gl->es && !copy_formats[i].es))
+                continue;
+            clear_errors(gl);
+            allocate(copy, gl, i);
+            if (gl->CheckFramebufferStatus(GL_DRAW_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) continue;
+            copy_pixels(gl, area);
+            if (gl->GetError() == GL_NO_ERROR) return true;
+        }
+    }
+    clear_errors(gl);
+    return false;
+}
+
+static ew_result copy_depth(ew_depth_copy *copy, const ew_gl *gl, const ew_frame_desc *frame, ew_error *error)
+{
+    if (!copy->framebuffer) create_objects(copy, gl);
+    gl->BindFramebuffer(GL_READ_FRAMEBUFFER, frame->framebuffer);
+    gl->BindFramebuffer(GL_DRAW_FRAMEBUFFER, copy->framebuffer);
+    gl->BindTexture(GL_TEXTURE_2D, copy->texture);
+
+    ew_depth_copy wanted = ask_depth(gl, frame->framebuffer == 0);
+    if (wanted.depth_bits == 0)
+        return ew_fail(error, EW_ERROR_INVALID_ARGUMENT,
+                       "depth_source is EW_DEPTH_FRAMEBUFFER, but framebuffer %u has no depth", frame->framebuffer);
+    GLint limit = 0;
+    gl->GetIntegerv(GL_MAX_TEXTURE_SIZE, &limit);
+    const rectangle area = viewport_rectangle(frame, limit);
+    if (area.left == area.right || area.bottom == area.top) return EW_OK;
+    bool same_format = wanted.depth_bits == copy->depth_bits && wanted.stencil_bits == copy->stencil_bits &&
+                       wanted.component_type == copy->component_type;
+    if (same_format && area.right <= copy->width && area.top <= copy->height) {
+        copy_pixels(gl, &area);
+        return EW_OK;
+    }
+
+    wanted.framebuffer = copy->framebuffer;
+    wanted.texture = copy->texture;
+    wanted.width = same_format && copy->width > area.right ? copy->width : area.right;
+    wanted.height = same_format && copy->height > area.top ? copy->height : area.top;
+    copy->width = copy->height = 0;
+    if (!try_formats(&wanted, gl, &area))
+        return ew_fail(error, EW_ERROR_OPENGL,
+                       "the %d bit depth of framebuffer %u cannot be copied to a texture of %d x %d; copy it to a texture of "
+                       "your own and name that as depth_texture",
+                       wanted.depth_bits, frame->framebuffer, wanted.width, wanted.height);
+    *copy = wanted;
+    return EW_OK;
+}
+
+void ew_depth_copy_destroy(ew_depth_copy *copy, const ew_gl *gl)
+{
+    gl->DeleteFramebuffers(1, &copy->framebuffer);
+    gl->DeleteTextures(1, &copy->texture);
+    *copy = (ew_depth_copy){0};
+}
+
+/* ---- Either ---- */
+
+ew_result ew_opaque_depth_bind(ew_depth_copy *copy, const ew_gl *gl, const ew_frame_desc *frame, ew_opaque_depth *depth,
+                               ew_error *error)
+{
+    *depth = (ew_opaque_depth){0};
+    gl->ActiveTexture(GL_TEXTURE0 + EW_GL_DEPTH_TEXTURE_UNIT);
+    if (frame->depth_source == EW_DEPTH_FRAMEBUFFER) {
+        ew_result result = copy_depth(copy, gl, frame, error);
+        gl->BindFramebuffer(GL_DRAW_FRAMEBUFFER, frame->framebuffer);
+        return result;
+    }
+    return frame->depth_texture ? bind_host_texture(gl, frame, depth, error) : EW_OK;
+}
+
+void ew_opaque_depth_release(const ew_gl *gl, const ew_opaque_depth *depth)
+{
+    for (int i = 0; i < EW_DEPTH_PARAMETER_COUNT; i++)
+        if (depth->changed[i]) gl->TexParameteri(depth->target, parameters[i].name, depth->parameters[i]);
+}
