@@ -75,6 +75,7 @@ static ranked *rank_pixels(const drawn_picture *picture, const drawn_picture *ot
 static void choose_silhouettes(true_pixels *truth, const drawn_picture *picture, const scene_rays *rays, size_t count)
 {
     size_t width = (size_t)picture->width, height = (size_t)picture->height, found = 0, stride = 1;
+    if (count == 0) return;
     for (int pass = 0; pass < 2; pass++) {
         if (pass == 1) stride = 1 + 2 * found / count;
         found = 0;

@@ -1,13 +1,15 @@
 /* Speed and error of integrators on a scene: see measure.h. */
 #include "measure.h"
+#include "comparison.h"
 #include "message.h"
 #include "progress.h"
 #include "random_numbers.h"
 #include "stage.h"
 #include "stopwatch.h"
-#include "truth.h"
 
+#include <math.h>
 #include <stdlib.h>
+#include <unistd.h>
 
 /* ---- Errors ------------------------------------------------------------------------------------------------------------- */
 
@@ -19,50 +21,97 @@ static double mean(const float *values, size_t count)
     return sum / (double)count;
 }
 
-/* Draws what is not timed, which is also the first draw, with the shaders' compilation: for the errors and the evaluations. */
-static bool measure_errors(bench_stage *stage, const bench_truth *truth, const bench_integrator *integrator, float *pixels,
-                           measurement *result, char *message, size_t size)
+/* A scene's pixels: what is right there, and one integrator's picture. */
+typedef struct error_stage {
+    scene_rays rays;
+    drawn_picture picture;
+    true_pixels truth;
+} error_stage;
+
+static bool make_picture(const bench_stage *stage, drawn_picture *picture)
 {
-    if (!stage_draw(stage, integrator, EW_OUTPUT_LUMINANCE, message, size)) return false;
-    if (integrator->family == FAMILY_BARE) return true;
-    stage_read(stage, pixels);
-    if (!truth_errors(truth, pixels, stage->width, &result->max_error, &result->p99_error)) {
-        message_write(message, size, "--error-samples: the errors do not fit into memory; ask for fewer");
+    size_t count = (size_t)stage->width * (size_t)stage->height;
+    *picture = (drawn_picture){stage->width, stage->height, malloc(count * sizeof(float)), malloc(count * sizeof(float))};
+    if (!picture->luminance || !picture->depth) {
+        picture_free(picture);
         return false;
     }
-    if (!stage_draw(stage, integrator, EW_OUTPUT_EVALUATIONS, message, size)) return false;
-    stage_read(stage, pixels);
-    result->evaluations_per_pixel = mean(pixels, (size_t)stage->width * (size_t)stage->height);
+    if (!stage_read_depth(stage, picture->depth))
+        for (size_t i = 0; i < count; i++)
+            picture->depth[i] = 1;
     return true;
 }
 
-static bool compute_truth(const bench_stage *stage, const ew_scene *scene, const measure_settings *settings, float *pixels,
-                          bench_truth *truth, char *message, size_t size)
+/* Chooses the pixels by two pictures of the library's, and computes their luminance: also where those differ. */
+static bool compute_truth(bench_stage *stage, size_t pixel_count, error_stage *errors, char *message, size_t size)
 {
-    const float *depth = stage_read_depth(stage, pixels) ? pixels : NULL;
-    return truth_compute(scene, stage->width, stage->height, depth, settings->error_samples, truth, message, size);
+    static const bench_integrator usual = {"adaptive:1e-3", FAMILY_ADAPTIVE, EW_QUALITY_ERROR_1E_3, 0},
+                                  finest = {"adaptive:1e-4", FAMILY_ADAPTIVE, EW_QUALITY_ERROR_1E_4, 0};
+    drawn_picture other;
+    int threads = (int)sysconf(_SC_NPROCESSORS_ONLN);
+    if (!stage_draw(stage, &usual, EW_OUTPUT_LUMINANCE, message, size)) return false;
+    stage_read(stage, errors->picture.luminance);
+    if (!stage_draw(stage, &finest, EW_OUTPUT_LUMINANCE, message, size)) return false;
+    bool ok = make_picture(stage, &other);
+    if (ok) {
+        stage_read(stage, other.luminance);
+        ok = true_pixels_compute(&errors->rays, &errors->picture, pixel_count, threads, &errors->truth);
+        if (ok && !(true_pixels_refine(&errors->rays, &errors->picture, &other, threads, &errors->truth) &&
+                    true_pixels_refine(&errors->rays, &other, &errors->picture, threads, &errors->truth))) {
+            true_pixels_free(&errors->truth);
+            ok = false;
+        }
+        picture_free(&other);
+    }
+    if (!ok) message_write(message, size, "--error-samples: the reference does not fit into memory; ask for fewer");
+    return ok;
+}
+
+/* Draws what is not timed, which is also the first draw, with the shaders' compilation: for the errors and the evaluations. */
+static bool measure_errors(bench_stage *stage, error_stage *errors, const bench_integrator *integrator, measurement *result,
+                           char *message, size_t size)
+{
+    picture_comparison comparison;
+    if (!stage_draw(stage, integrator, EW_OUTPUT_LUMINANCE, message, size)) return false;
+    if (integrator->family == FAMILY_BARE) return true;
+    stage_read(stage, errors->picture.luminance);
+    if (!comparison_make(&errors->truth, &errors->picture, &comparison)) {
+        message_write(message, size, "--error-samples: the errors do not fit into memory; ask for fewer");
+        return false;
+    }
+    result->max_error = comparison.bad_count ? HUGE_VAL : comparison.largest_error;
+    result->p99_error = comparison.percentile_99;
+    if (!stage_draw(stage, integrator, EW_OUTPUT_EVALUATIONS, message, size)) return false;
+    stage_read(stage, errors->picture.luminance);
+    result->evaluations_per_pixel = mean(errors->picture.luminance, (size_t)stage->width * (size_t)stage->height);
+    return true;
 }
 
 static bool measure_all_errors(bench_stage *stage, const ew_scene *scene, const char *name, const measure_settings *settings,
                                scene_measurements *measurements, char *message, size_t size)
 {
-    bench_truth truth;
-    float *pixels = malloc((size_t)stage->width * (size_t)stage->height * sizeof *pixels);
-    if (!pixels) {
+    error_stage errors;
+    if (!make_picture(stage, &errors.picture)) {
         message_write(message, size, "--size: the picture does not fit into memory; ask for a smaller one");
         return false;
     }
-    bool ok = compute_truth(stage, scene, settings, pixels, &truth, message, size);
+    bool ok = scene_rays_create(scene, stage->width, stage->height, &errors.rays);
+    if (!ok) message_write(message, size, "the scene does not fit into memory");
     if (ok) {
-        measurements->pixels = truth.count - truth.unreliable_count;
-        measurements->unreliable_pixels = truth.unreliable_count;
-        for (size_t i = 0; ok && i < settings->integrator_count; i++) {
-            progress_show("%s: errors of %s", name, settings->integrators[i].name);
-            ok = measure_errors(stage, &truth, &settings->integrators[i], pixels, &measurements->integrators[i], message, size);
+        progress_show("%s: reference", name);
+        ok = compute_truth(stage, settings->error_samples, &errors, message, size);
+        if (ok) {
+            measurements->pixels = errors.truth.count - errors.truth.unreliable_count;
+            measurements->unreliable_pixels = errors.truth.unreliable_count;
+            for (size_t i = 0; ok && i < settings->integrator_count; i++) {
+                progress_show("%s: errors of %s", name, settings->integrators[i].name);
+                ok = measure_errors(stage, &errors, &settings->integrators[i], &measurements->integrators[i], message, size);
+            }
+            true_pixels_free(&errors.truth);
         }
-        truth_free(&truth);
+        scene_rays_free(&errors.rays);
     }
-    free(pixels);
+    picture_free(&errors.picture);
     return ok;
 }
 
@@ -96,6 +145,12 @@ static bool takes_part(int round, int rounds, int wanted)
     return (long)round * wanted % rounds < wanted;
 }
 
+/* How many frames that take `ms` each are drawn. */
+static int repetitions_within_budget(const measure_settings *settings, double ms)
+{
+    return (int)fmin(settings->repetitions, fmax(MEASURE_MIN_REPETITIONS, MEASURE_BUDGET / ms));
+}
+
 /* Draws in rounds. `times` has room for settings->repetitions of each integrator, and `order` for the integrators. */
 static bool measure_times(gl_context *context, bench_stage *stage, const char *name, const measure_settings *settings,
                           double *times, size_t *order, measurement *results, char *message, size_t size)
@@ -110,8 +165,8 @@ static bool measure_times(gl_context *context, bench_stage *stage, const char *n
         for (size_t turn = 0; ok && turn < settings->integrator_count; turn++) {
             size_t i = order[turn];
             double *own = &times[i * (size_t)settings->repetitions];
-            bool slow = round > 0 && own[0] > MEASURE_SLOW_FRAME;
-            if (!takes_part(round, settings->repetitions, slow ? MEASURE_MIN_REPETITIONS : settings->repetitions)) continue;
+            int wanted = round > 0 ? repetitions_within_budget(settings, own[0]) : settings->repetitions;
+            if (!takes_part(round, settings->repetitions, wanted)) continue;
             progress_show("%s: round %d of %d, %s", name, round + 1, settings->repetitions, settings->integrators[i].name);
             stopwatch_start(&stopwatch);
             ok = stage_draw(stage, &settings->integrators[i], EW_OUTPUT_LUMINANCE, message, size);

@@ -8,9 +8,9 @@
 #include "integrator.h"
 #include "scene_file.h"
 
-/* The fewest repetitions, for frames of more than MEASURE_SLOW_FRAME milliseconds too, which are not repeated more often. */
+/* The fewest repetitions of any frame, and the milliseconds after which an integrator is not repeated more often than that. */
 #define MEASURE_MIN_REPETITIONS 3
-#define MEASURE_SLOW_FRAME 1000.0
+#define MEASURE_BUDGET 2000.0
 
 typedef struct measure_settings {
     int width;
@@ -27,13 +27,13 @@ typedef struct measurement {
     double ms_min;
     int repetitions;
     double evaluations_per_pixel;
-    double max_error; /* see truth_errors */
+    double max_error; /* see comparison.h; infinite if any pixel is negative, infinite or no number */
     double p99_error;
 } measurement;
 
 typedef struct scene_measurements {
     measurement *integrators; /* in the settings' order */
-    size_t pixels;            /* that errors were measured at */
+    size_t pixels;            /* that the errors were measured at */
     size_t unreliable_pixels; /* that were left out, since the reference did not vouch for its value */
 } scene_measurements;
 
