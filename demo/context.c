@@ -23,19 +23,6 @@ static void release_current(void)
     current = NULL;
 }
 
-static bool load_functions(gl_context *context, char *message, size_t size)
-{
-#define LOAD(type, function)                                                                                                   \
-    context->gl.function = (type)context->implementation.get_proc_address("gl" #function);                                     \
-    if (!context->gl.function) {                                                                                               \
-        message_write(message, size, "%s has no gl%s", context->implementation.name, #function);                               \
-        return false;                                                                                                          \
-    }
-    GL_FUNCTIONS(LOAD)
-#undef LOAD
-    return true;
-}
-
 static bool create_implementation(context_backend backend, context_implementation *implementation, char *message, size_t size)
 {
     char egl[200], osmesa[200];
@@ -60,13 +47,15 @@ gl_context *context_create(context_backend backend, char *message, size_t size)
     char reason[400] = "memory is exhausted";
     if (context && create_implementation(backend, &context->implementation, reason, sizeof reason)) {
         current = context;
-        if (load_functions(context, reason, sizeof reason)) {
-            const gl_functions *gl = &context->gl;
+        const gl_functions *gl = &context->gl;
+        const char *missing = gl_load_functions(&context->gl, context_get_proc_address, context);
+        if (!missing) {
             message_write(context->description, sizeof context->description, "%s: %s, %s, %s", context->implementation.name,
                           (const char *)gl->GetString(GL_VENDOR), (const char *)gl->GetString(GL_RENDERER),
                           (const char *)gl->GetString(GL_VERSION));
             return context;
         }
+        message_write(reason, sizeof reason, "%s has no %s", context->implementation.name, missing);
         context_destroy(context);
     } else {
         free(context);

@@ -4,11 +4,10 @@
 #include "context.h"
 #include "image.h"
 #include "message.h"
+#include "option_values.h"
 #include "render.h"
 #include "scene_file.h"
 
-#include <ctype.h>
-#include <errno.h>
 #include <getopt.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -37,62 +36,6 @@ typedef struct command_line {
     render_settings settings;
     context_backend backend;
 } command_line;
-
-/* Returns whether `text` is a number of 1 to 9 digits, and that number. */
-static bool read_count(const char *text, const char **end, int *count)
-{
-    char *stop;
-    if (!isdigit((unsigned char)text[0])) return false;
-    unsigned long value = strtoul(text, &stop, 10);
-    if (stop - text > 9) return false;
-    *end = stop;
-    *count = (int)value;
-    return true;
-}
-
-static bool read_size(const char *text, render_settings *settings)
-{
-    const char *end;
-    return read_count(text, &end, &settings->width) && *end == 'x' && read_count(end + 1, &end, &settings->height) &&
-           *end == '\0' && settings->width >= 1 && settings->width <= RENDER_MAX_SIDE && settings->height >= 1 &&
-           settings->height <= RENDER_MAX_SIDE;
-}
-
-static bool read_integrator(const char *text, render_settings *settings)
-{
-    static const struct {
-        const char *name;
-        ew_quality quality;
-    } adaptive[] = {{"adaptive", EW_QUALITY_ERROR_1E_3},
-                    {"adaptive:1e-2", EW_QUALITY_ERROR_1E_2},
-                    {"adaptive:1e-3", EW_QUALITY_ERROR_1E_3},
-                    {"adaptive:1e-4", EW_QUALITY_ERROR_1E_4}};
-    static const char simpson[] = "simpson:";
-    for (size_t i = 0; i < sizeof adaptive / sizeof *adaptive; i++)
-        if (strcmp(text, adaptive[i].name) == 0) {
-            settings->integrator = EW_INTEGRATOR_ADAPTIVE;
-            settings->quality = adaptive[i].quality;
-            return true;
-        }
-    const char *end;
-    int divisions;
-    if (strncmp(text, simpson, sizeof simpson - 1) != 0) return false;
-    if (!read_count(text + sizeof simpson - 1, &end, &divisions) || *end != '\0') return false;
-    if (divisions < 2 || divisions > EW_MAX_SIMPSON_DIVISIONS || divisions % 2 != 0) return false;
-    settings->integrator = EW_INTEGRATOR_SIMPSON;
-    settings->simpson_divisions = divisions;
-    return true;
-}
-
-static bool read_backend(const char *text, context_backend *backend)
-{
-    for (int i = 0; context_backend_names[i]; i++)
-        if (strcmp(text, context_backend_names[i]) == 0) {
-            *backend = (context_backend)i;
-            return true;
-        }
-    return false;
-}
 
 /* The checks that need more than one option. */
 static bool check_options(const command_line *options, char *message, size_t size)
@@ -141,15 +84,15 @@ static bool read_options(int argc, char **argv, command_line *options, char *mes
             break;
         case OPTION_SIZE:
             ok = read_size(optarg, &options->settings);
-            remedy = "--size: must be WIDTHxHEIGHT, each from 1 to 8192, as in 640x360";
+            remedy = "--size: " SIZE_REMEDY;
             break;
         case OPTION_INTEGRATOR:
             ok = read_integrator(optarg, &options->settings);
-            remedy = "--integrator: must be adaptive, adaptive:1e-2, adaptive:1e-3, adaptive:1e-4 or simpson:N, N even";
+            remedy = "--integrator: " INTEGRATOR_REMEDY;
             break;
         case OPTION_BACKEND:
             ok = read_backend(optarg, &options->backend);
-            remedy = "--backend: must be auto, egl or osmesa";
+            remedy = "--backend: " BACKEND_REMEDY;
             break;
         case OPTION_HELP:
         case 'h':

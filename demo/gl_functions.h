@@ -12,12 +12,15 @@
 #include <stddef.h>
 
 #define GL_FUNCTIONS(X)                                                                                                        \
+    X(PFNGLACTIVETEXTUREPROC, ActiveTexture)                                                                                   \
     X(PFNGLATTACHSHADERPROC, AttachShader)                                                                                     \
-    X(PFNGLBINDATTRIBLOCATIONPROC, BindAttribLocation)                                                                         \
+    X(PFNGLBEGINQUERYPROC, BeginQuery)                                                                                         \
     X(PFNGLBINDBUFFERPROC, BindBuffer)                                                                                         \
     X(PFNGLBINDFRAMEBUFFERPROC, BindFramebuffer)                                                                               \
     X(PFNGLBINDTEXTUREPROC, BindTexture)                                                                                       \
     X(PFNGLBINDVERTEXARRAYPROC, BindVertexArray)                                                                               \
+    X(PFNGLBLENDFUNCPROC, BlendFunc)                                                                                           \
+    X(PFNGLBLITFRAMEBUFFERPROC, BlitFramebuffer)                                                                               \
     X(PFNGLBUFFERDATAPROC, BufferData)                                                                                         \
     X(PFNGLCHECKFRAMEBUFFERSTATUSPROC, CheckFramebufferStatus)                                                                 \
     X(PFNGLCLEARBUFFERFVPROC, ClearBufferfv)                                                                                   \
@@ -27,32 +30,43 @@
     X(PFNGLDELETEBUFFERSPROC, DeleteBuffers)                                                                                   \
     X(PFNGLDELETEFRAMEBUFFERSPROC, DeleteFramebuffers)                                                                         \
     X(PFNGLDELETEPROGRAMPROC, DeleteProgram)                                                                                   \
+    X(PFNGLDELETEQUERIESPROC, DeleteQueries)                                                                                   \
     X(PFNGLDELETESHADERPROC, DeleteShader)                                                                                     \
     X(PFNGLDELETETEXTURESPROC, DeleteTextures)                                                                                 \
     X(PFNGLDELETEVERTEXARRAYSPROC, DeleteVertexArrays)                                                                         \
     X(PFNGLDISABLEPROC, Disable)                                                                                               \
+    X(PFNGLDRAWARRAYSPROC, DrawArrays)                                                                                         \
     X(PFNGLDRAWELEMENTSPROC, DrawElements)                                                                                     \
     X(PFNGLENABLEPROC, Enable)                                                                                                 \
     X(PFNGLENABLEVERTEXATTRIBARRAYPROC, EnableVertexAttribArray)                                                               \
+    X(PFNGLENDQUERYPROC, EndQuery)                                                                                             \
     X(PFNGLFINISHPROC, Finish)                                                                                                 \
     X(PFNGLFRAMEBUFFERTEXTURE2DPROC, FramebufferTexture2D)                                                                     \
     X(PFNGLGENBUFFERSPROC, GenBuffers)                                                                                         \
     X(PFNGLGENFRAMEBUFFERSPROC, GenFramebuffers)                                                                               \
+    X(PFNGLGENQUERIESPROC, GenQueries)                                                                                         \
     X(PFNGLGENTEXTURESPROC, GenTextures)                                                                                       \
     X(PFNGLGENVERTEXARRAYSPROC, GenVertexArrays)                                                                               \
     X(PFNGLGETERRORPROC, GetError)                                                                                             \
     X(PFNGLGETINTEGERVPROC, GetIntegerv)                                                                                       \
     X(PFNGLGETPROGRAMINFOLOGPROC, GetProgramInfoLog)                                                                           \
     X(PFNGLGETPROGRAMIVPROC, GetProgramiv)                                                                                     \
+    X(PFNGLGETQUERYOBJECTUI64VPROC, GetQueryObjectui64v)                                                                       \
+    X(PFNGLGETQUERYOBJECTUIVPROC, GetQueryObjectuiv)                                                                           \
+    X(PFNGLGETQUERYIVPROC, GetQueryiv)                                                                                         \
     X(PFNGLGETSTRINGPROC, GetString)                                                                                           \
     X(PFNGLGETUNIFORMLOCATIONPROC, GetUniformLocation)                                                                         \
     X(PFNGLLINKPROGRAMPROC, LinkProgram)                                                                                       \
+    X(PFNGLPIXELSTOREIPROC, PixelStorei)                                                                                       \
     X(PFNGLREADPIXELSPROC, ReadPixels)                                                                                         \
     X(PFNGLSHADERSOURCEPROC, ShaderSource)                                                                                     \
     X(PFNGLTEXIMAGE2DPROC, TexImage2D)                                                                                         \
     X(PFNGLTEXPARAMETERIPROC, TexParameteri)                                                                                   \
     X(PFNGLUNIFORM1FPROC, Uniform1f)                                                                                           \
+    X(PFNGLUNIFORM1IPROC, Uniform1i)                                                                                           \
+    X(PFNGLUNIFORM2FPROC, Uniform2f)                                                                                           \
     X(PFNGLUNIFORM3FPROC, Uniform3f)                                                                                           \
+    X(PFNGLUNIFORM4FVPROC, Uniform4fv)                                                                                         \
     X(PFNGLUNIFORMMATRIX4FVPROC, UniformMatrix4fv)                                                                             \
     X(PFNGLUSEPROGRAMPROC, UseProgram)                                                                                         \
     X(PFNGLVERTEXATTRIBPOINTERPROC, VertexAttribPointer)                                                                       \
@@ -63,5 +77,8 @@ typedef struct gl_functions {
     GL_FUNCTIONS(GL_MEMBER)
 #undef GL_MEMBER
 } gl_functions;
+
+/* Loads all of them by `get_proc_address`, which is handed `user`. Returns the name of one that is missing, or NULL. */
+const char *gl_load_functions(gl_functions *gl, void (*(*get_proc_address)(void *user, const char *name))(void), void *user);
 
 #endif

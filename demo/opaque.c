@@ -2,6 +2,7 @@
 #include "opaque.h"
 #include "camera.h"
 #include "message.h"
+#include "shader.h"
 #include "vector.h"
 
 #include <stdlib.h>
@@ -187,9 +188,9 @@ void opaque_free_mesh(opaque_mesh *mesh)
 /* All in view space, to which the vertices are brought in double precision. */
 static const char vertex_shader[] = "#version 330 core\n"
                                     "uniform mat4 projection;\n"
-                                    "in vec3 position;\n"
-                                    "in vec3 normal;\n"
-                                    "in vec3 color;\n"
+                                    "layout(location = 0) in vec3 position;\n"
+                                    "layout(location = 1) in vec3 normal;\n"
+                                    "layout(location = 2) in vec3 color;\n"
                                     "out vec3 surface_normal;\n"
                                     "out vec3 surface_color;\n"
                                     "out float depth;\n"
@@ -220,33 +221,7 @@ static const char fragment_shader[] = "#version 330 core\n"
                                       "    result = vec4(mix(lit, background, haze * (2.0 - haze)), 1.0);\n"
                                       "}\n";
 
-static const char *const attributes[] = {"position", "normal", "color"};
 enum { ATTRIBUTE_COUNT = 3, FLOATS_PER_VERTEX = 3 * ATTRIBUTE_COUNT };
-
-static GLuint make_program(const gl_functions *gl, char *message, size_t size)
-{
-    GLuint program = gl->CreateProgram();
-    const GLenum stages[] = {GL_VERTEX_SHADER, GL_FRAGMENT_SHADER};
-    const char *const sources[] = {vertex_shader, fragment_shader};
-    for (int i = 0; i < 2; i++) {
-        GLuint shader = gl->CreateShader(stages[i]);
-        gl->ShaderSource(shader, 1, &sources[i], NULL);
-        gl->CompileShader(shader);
-        gl->AttachShader(program, shader);
-        gl->DeleteShader(shader);
-    }
-    for (GLuint i = 0; i < ATTRIBUTE_COUNT; i++)
-        gl->BindAttribLocation(program, i, attributes[i]);
-    gl->LinkProgram(program);
-    GLint linked = GL_FALSE;
-    gl->GetProgramiv(program, GL_LINK_STATUS, &linked);
-    if (linked) return program;
-    char log[200] = "";
-    gl->GetProgramInfoLog(program, sizeof log, NULL, log);
-    message_write(message, size, "the opaque shapes' shader does not link (%s); update the GL driver", log);
-    gl->DeleteProgram(program);
-    return 0;
-}
 
 /* The mesh's vertices in view space, FLOATS_PER_VERTEX each; NULL where memory is exhausted. */
 static float *view_space_vertices(const opaque_mesh *mesh, const ew_scene_camera *camera)
@@ -325,7 +300,7 @@ bool opaque_draw(const gl_functions *gl, const ew_scene *scene, int width, int h
         message_write(message, size, "opaque: does not fit into memory; use fewer shapes");
         ok = false;
     } else if (vertices) {
-        GLuint program = make_program(gl, message, size);
+        GLuint program = shader_link(gl, vertex_shader, fragment_shader, "the opaque shapes'", message, size);
         ok = program != 0;
         if (ok) {
             gl->UseProgram(program);

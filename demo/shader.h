@@ -1,0 +1,13 @@
+/*
+ * Shader programs.
+ */
+#ifndef SHADER_H
+#define SHADER_H
+
+#include "gl_functions.h"
+
+/* Compiles and links both stages. On failure returns 0, with a message that calls the program `name`, such as "the floor's". */
+GLuint shader_link(const gl_functions *gl, const char *vertex_text, const char *fragment_text, const char *name, char *message,
+                   size_t size);
+
+#endif
