@@ -151,8 +151,8 @@ static bool render_to_files(const command_line *options, char *message, size_t s
     if ((options->output && !color) || (options->luminance && !luminance)) {
         message_write(message, size, "--size: the picture does not fit into memory; ask for a smaller one");
     } else if (render(options, &scene, color, luminance, message, size)) {
-        image_pixels picture = {settings->width, settings->height, 4, color};
-        image_pixels light = {settings->width, settings->height, 1, luminance};
+        image_pixels picture = {.width = settings->width, .height = settings->height, .channels = 4, .pixels = color};
+        image_pixels light = {.width = settings->width, .height = settings->height, .channels = 1, .pixels = luminance};
         ok = (!color || image_write(options->output, &picture, message, size)) &&
              (!luminance || image_write(options->luminance, &light, message, size));
     }

@@ -35,10 +35,15 @@ static unsigned char encode_srgb(float linear)
     return (unsigned char)(255 * encoded + 0.5f);
 }
 
-/* A pixel's RGB; rows count from the top, as PNG and RGBE have them. */
+/* Rows count from the top, as PNG and RGBE have them. */
+static size_t pixel_from_top(const image_pixels *image, int row, int column)
+{
+    return (size_t)(image->height - 1 - row) * (size_t)image->width + (size_t)column;
+}
+
 static const float *color_from_top(const image_pixels *image, int row, int column)
 {
-    return image->pixels + ((size_t)(image->height - 1 - row) * (size_t)image->width + (size_t)column) * 4;
+    return image->pixels + pixel_from_top(image, row, column) * 4;
 }
 
 static void write_bytes(void *file, void *bytes, int count)
@@ -54,7 +59,8 @@ static bool write_png(const image_pixels *image, FILE *file)
     for (int row = 0; row < image->height; row++)
         for (int column = 0; column < image->width; column++)
             for (int i = 0; i < 3; i++)
-                *byte++ = encode_srgb(color_from_top(image, row, column)[i]);
+                *byte++ = image->srgb ? image->srgb[3 * pixel_from_top(image, row, column) + (size_t)i]
+                                      : encode_srgb(color_from_top(image, row, column)[i]);
     bool ok = stbi_write_png_to_func(write_bytes, file, image->width, image->height, 3, bytes, image->width * 3);
     free(bytes);
     return ok;

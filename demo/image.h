@@ -24,6 +24,7 @@ typedef struct image_pixels {
     int height;
     int channels; /* 4: linear RGB and an opacity that no format keeps; 1: a luminance, for .pfm only ("Pf") */
     const float *pixels;
+    const unsigned char *srgb; /* instead of `pixels`, for .png only: 8-bit sRGB, 3 channels */
 } image_pixels;
 
 /* Writes `image` to `path`. On failure returns false, with one line "PATH: what to mend" in `message`; a file that stood there

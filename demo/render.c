@@ -3,31 +3,7 @@
 #include "camera.h"
 #include "message.h"
 #include "opaque.h"
-
-static GLuint make_texture(const gl_functions *gl, const render_settings *settings, GLint internal_format, GLenum format)
-{
-    GLuint texture;
-    gl->GenTextures(1, &texture);
-    gl->BindTexture(GL_TEXTURE_2D, texture);
-    gl->TexImage2D(GL_TEXTURE_2D, 0, internal_format, settings->width, settings->height, 0, format, GL_FLOAT, NULL);
-    gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-    gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-    gl->BindTexture(GL_TEXTURE_2D, 0);
-    return texture;
-}
-
-/* Without a depth texture where `depth` is 0; *complete stays true only if the framebuffer can be drawn to. */
-static GLuint make_framebuffer(const gl_functions *gl, GLuint color, GLuint depth, bool *complete)
-{
-    GLuint framebuffer;
-    gl->GenFramebuffers(1, &framebuffer);
-    gl->BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-    gl->FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, color, 0);
-    if (depth) gl->FramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, depth, 0);
-    *complete = *complete && gl->CheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
-    gl->BindFramebuffer(GL_FRAMEBUFFER, 0);
-    return framebuffer;
-}
+#include "texture.h"
 
 bool render_create_target(const gl_functions *gl, const render_settings *settings, render_target *target, char *message,
                           size_t size)
@@ -39,12 +15,12 @@ bool render_create_target(const gl_functions *gl, const render_settings *setting
         return false;
     }
     bool complete = true;
-    target->color = make_texture(gl, settings, GL_RGBA32F, GL_RGBA);
-    target->depth = make_texture(gl, settings, GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT);
-    target->luminance = make_texture(gl, settings, GL_R32F, GL_RED);
-    target->opaque_framebuffer = make_framebuffer(gl, target->color, target->depth, &complete);
-    target->effect_framebuffer = make_framebuffer(gl, target->color, 0, &complete);
-    target->luminance_framebuffer = make_framebuffer(gl, target->luminance, 0, &complete);
+    target->color = texture_create(gl, settings->width, settings->height, GL_RGBA32F, GL_RGBA);
+    target->depth = texture_create(gl, settings->width, settings->height, GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT);
+    target->luminance = texture_create(gl, settings->width, settings->height, GL_R32F, GL_RED);
+    target->opaque_framebuffer = texture_framebuffer(gl, target->color, target->depth, &complete);
+    target->effect_framebuffer = texture_framebuffer(gl, target->color, 0, &complete);
+    target->luminance_framebuffer = texture_framebuffer(gl, target->luminance, 0, &complete);
     if (complete && gl->GetError() == GL_NO_ERROR) return true;
     render_destroy_target(gl, target);
     message_write(message, size, "--size: GL cannot make a float target of %d x %d; ask for a smaller one", settings->width,

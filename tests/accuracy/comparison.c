@@ -327,7 +327,7 @@ bool heatmap_write(const char *path, const true_pixels *truth, const drawn_pictu
             colors[((size_t)pixel->y * (size_t)picture->width + (size_t)pixel->x) * 4 + (size_t)k] =
                 ramp[step][k] + (float)(position - step) * (ramp[step + 1][k] - ramp[step][k]);
     }
-    image_pixels image = {picture->width, picture->height, 4, colors};
+    image_pixels image = {.width = picture->width, .height = picture->height, .channels = 4, .pixels = colors};
     bool ok = image_write(path, &image, message, size);
     free(colors);
     return ok;

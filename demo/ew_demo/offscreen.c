@@ -1,0 +1,87 @@
+/* Frames without a window: see offscreen.h. */
+#include "offscreen.h"
+#include "animation.h"
+#include "image.h"
+#include "message.h"
+#include "stage.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <unistd.h>
+
+/* A bar on the terminal, if there is one. */
+static void show_progress(int done, int total)
+{
+    enum { WIDTH = 40 };
+    if (!isatty(STDERR_FILENO)) return;
+    int filled = (int)((long long)WIDTH * done / total);
+    fprintf(stderr, "\r[%.*s%*s] %d of %d frames%s", filled, "########################################", WIDTH - filled, "",
+            done, total, done == total ? "\n" : "");
+}
+
+static bool write_picture(const demo_options *options, int frame, const unsigned char *srgb, char *message, size_t size)
+{
+    char name[4096];
+    /* The one conversion in it has been checked. */
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wformat-nonliteral"
+    int length = snprintf(name, sizeof name, options->output, frame);
+#pragma GCC diagnostic pop
+    if (length < 0 || (size_t)length >= sizeof name) {
+        message_write(message, size, "-o: the name is too long; use a shorter one");
+        return false;
+    }
+    image_pixels picture = {.width = options->settings.width, .height = options->settings.height, .channels = 3, .srgb = srgb};
+    return image_write(name, &picture, message, size);
+}
+
+static bool draw_frames(const demo_options *options, demo_stage *stage, demo_animation *animation, const ew_scene *scene,
+                        unsigned char *srgb, char *message, size_t size)
+{
+    stage_view view = {.scene = scene,
+                       .lit = scene == &animation->scene,
+                       .settings = options->settings,
+                       .samples_per_axis = options->samples_per_axis};
+    int total = options->last_frame - options->first_frame + 1;
+    for (int i = 0; i < total; i++) {
+        int frame = options->first_frame + i;
+        show_progress(i, total);
+        animation_set_time(animation, (double)frame / options->frames_per_second);
+        if (!stage_draw(stage, &view, message, size)) return false;
+        stage_read(stage, srgb);
+        if (options->output && !write_picture(options, frame, srgb, message, size)) return false;
+    }
+    show_progress(total, total);
+    return true;
+}
+
+static bool draw_on_stage(const demo_options *options, gl_context *context, const ew_scene *file_scene, char *message,
+                          size_t size)
+{
+    demo_animation *animation = malloc(sizeof *animation);
+    unsigned char *srgb = malloc((size_t)options->settings.width * (size_t)options->settings.height * 3);
+    ew_effect_desc desc = {.get_proc_address = context_get_proc_address, .user = context};
+    demo_stage *stage = NULL;
+    bool ok = false;
+    if (!animation || !srgb) {
+        message_write(message, size, "--size: the picture does not fit into memory; ask for a smaller one");
+    } else if ((stage = stage_create(context_gl(context), &desc, message, size))) {
+        animation_init(animation);
+        ok = draw_frames(options, stage, animation, file_scene ? file_scene : &animation->scene, srgb, message, size);
+    }
+    stage_destroy(stage);
+    free(srgb);
+    free(animation);
+    return ok;
+}
+
+bool offscreen_run(const demo_options *options, char *message, size_t size)
+{
+    ew_scene scene;
+    if (options->scene && !scene_load(options->scene, &scene, message, size)) return false;
+    gl_context *context = context_create(options->backend, message, size);
+    bool ok = context && draw_on_stage(options, context, options->scene ? &scene : NULL, message, size);
+    context_destroy(context);
+    if (options->scene) scene_free(&scene);
+    return ok;
+}

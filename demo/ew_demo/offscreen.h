@@ -1,0 +1,13 @@
+/*
+ * Frames as pictures or a video, without a window.
+ */
+#ifndef OFFSCREEN_H
+#define OFFSCREEN_H
+
+#include "options.h"
+
+/* Draws and writes the frames that the options ask for, with a bar on the terminal. On failure returns false, with a message;
+ * the frames before it are written. */
+bool offscreen_run(const demo_options *options, char *message, size_t size);
+
+#endif

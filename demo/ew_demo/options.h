@@ -1,0 +1,29 @@
+/*
+ * ew-demo's command line.
+ */
+#ifndef OPTIONS_H
+#define OPTIONS_H
+
+#include "context.h"
+#include "render.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+
+typedef struct demo_options {
+    const char *scene; /* a scene file; NULL for the demo_animation */
+    bool offscreen;
+    int first_frame; /* frames are numbered from 0 on */
+    int last_frame;
+    int frames_per_second;
+    const char *output; /* a picture's name with one number in it, as in printf; NULL for none */
+    const char *video;  /* NULL for none */
+    render_settings settings;
+    int samples_per_axis;
+    context_backend backend;
+} demo_options;
+
+/* Returns false with a message, or with an empty one where the options asked for a text that has been printed. */
+bool options_read(int argc, char **argv, demo_options *options, char *message, size_t size);
+
+#endif

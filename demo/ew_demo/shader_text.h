@@ -1,0 +1,10 @@
+/* The files of shaders/, embedded at build time: zero-terminated text. */
+#ifndef SHADER_TEXT_H
+#define SHADER_TEXT_H
+
+extern const char shader_text_lit_opaque_vert[];
+extern const char shader_text_lit_opaque_frag[];
+extern const char shader_text_screen_vert[];
+extern const char shader_text_film_frag[];
+
+#endif

@@ -1,0 +1,109 @@
+#version 330 core
+
+// The court's stone: moonlight with shadows, a sky that corners keep out, and the light of the energy itself. All shapes are
+// known here as boxes with a rounding radius, a sphere being a box of no extent, so that shadow and occlusion need no maps.
+
+const int MAX_SHAPES = 64;
+const int MAX_LIGHTS = 64;
+
+uniform int shape_count;
+uniform vec4 shape_center[MAX_SHAPES]; // and the rounding radius
+uniform vec4 shape_extent[MAX_SHAPES];
+uniform int light_count;
+uniform vec4 light_position[MAX_LIGHTS]; // and the radius within which it grows no brighter
+uniform vec4 light_color[MAX_LIGHTS];
+uniform vec3 eye;
+uniform vec3 background;
+uniform vec3 to_moon;
+
+in vec3 surface_position;
+in vec3 surface_normal;
+in vec3 surface_color;
+out vec4 result;
+
+float distance_to_shapes(vec3 place)
+{
+    float nearest = 1e9;
+    for (int i = 0; i < shape_count; ++i) {
+        vec3 outside = abs(place - shape_center[i].xyz) - shape_extent[i].xyz;
+        float inside = min(max(outside.x, max(outside.y, outside.z)), 0.0);
+        nearest = min(nearest, length(max(outside, 0.0)) + inside - shape_center[i].w);
+    }
+    return nearest;
+}
+
+// What part of the sky a surface sees: all of it where a step along its normal leads as far from everything else.
+float openness(vec3 place, vec3 normal)
+{
+    const vec3 steps = vec3(0.25, 0.7, 1.6);
+    const vec3 shares = vec3(0.45, 0.35, 0.3);
+    float hidden = 0.0;
+    for (int i = 0; i < 3; ++i)
+        hidden += shares[i] * (1.0 - clamp(distance_to_shapes(place + steps[i] * normal) / steps[i], 0.0, 1.0));
+    return clamp(1.0 - hidden, 0.0, 1.0);
+}
+
+// How much of the moon is seen. What a shape hides grows from nothing with the length of the chord that it cuts out of the ray,
+// the slower the farther away it is, which softens the shadow's edge.
+float moonlight(vec3 place)
+{
+    float seen = 1.0;
+    for (int i = 0; i < shape_count; ++i) {
+        vec3 center = shape_center[i].xyz - place;
+        vec3 extent = shape_extent[i].xyz;
+        float radius = shape_center[i].w;
+        float enter, leave;
+        if (radius > 0.0) {
+            float along = dot(center, to_moon);
+            float across2 = dot(center, center) - along * along;
+            float half_chord = sqrt(max(0.0, radius * radius - across2));
+            enter = along - half_chord;
+            leave = along + half_chord;
+        } else {
+            vec3 a = (center - extent) / to_moon;
+            vec3 b = (center + extent) / to_moon;
+            vec3 first = min(a, b);
+            vec3 last = max(a, b);
+            enter = max(first.x, max(first.y, first.z));
+            leave = min(last.x, min(last.y, last.z));
+        }
+        float chord = leave - max(enter, 0.0);
+        seen *= 1.0 - smoothstep(0.0, 0.04 + 0.09 * max(enter, 0.0), chord);
+    }
+    return seen;
+}
+
+// The floor and the steps are laid with slabs; the joints fade where they are narrower than a pixel.
+float joints(vec3 place, vec3 normal)
+{
+    const float side = 1.65;
+    vec2 at = place.xz / side;
+    vec2 width = fwidth(at);
+    vec2 from_joint = abs(fract(at - 0.5) - 0.5);
+    vec2 joint = (1.0 - smoothstep(vec2(0.008), vec2(0.014) + width, from_joint)) * clamp(0.03 / width, 0.0, 1.0);
+    return 1.0 - 0.55 * max(joint.x, joint.y) * step(0.9, normal.y);
+}
+
+void main()
+{
+    vec3 normal = normalize(surface_normal);
+    vec3 to_eye = normalize(eye - surface_position);
+    vec3 above = surface_position + 0.01 * normal;
+    float open = openness(surface_position, normal);
+    vec3 sky = mix(vec3(0.004, 0.005, 0.007), vec3(0.010, 0.015, 0.026), 0.5 + 0.5 * normal.y) * open;
+    vec3 moon = vec3(0.055, 0.072, 0.11) * max(0.0, dot(normal, to_moon)) * moonlight(above);
+    vec3 diffuse = sky + moon;
+    vec3 gloss = vec3(0.0);
+    for (int i = 0; i < light_count; ++i) {
+        vec3 to_light = light_position[i].xyz - surface_position;
+        float distance2 = dot(to_light, to_light) + light_position[i].w * light_position[i].w;
+        vec3 direction = to_light * inversesqrt(distance2);
+        vec3 light = light_color[i].rgb / distance2;
+        diffuse += light * max(0.0, dot(normal, direction)) * mix(0.35, 1.0, open);
+        gloss += light * pow(max(0.0, dot(normal, normalize(direction + to_eye))), 40.0);
+    }
+    float fresnel = 0.04 + 0.5 * pow(1.0 - max(0.0, dot(normal, to_eye)), 4.0);
+    vec3 color = surface_color * joints(surface_position, normal) * diffuse + fresnel * open * gloss;
+    float haze = 1.0 - exp(-pow(length(eye - surface_position) / 34.0, 2.2));
+    result = vec4(mix(color, background, haze), 1.0);
+}

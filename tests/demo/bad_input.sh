@@ -1,0 +1,47 @@
+#!/bin/sh
+# What ew-demo says to bad input: one line that names the option and what to mend, exit status 2, and nothing written.
+# Usage: bad_input.sh EW_DEMO EW_RENDER SCENES VERSION
+ew_demo=$1
+scenes=$3
+failures=0
+rm -rf bad_input && mkdir bad_input && cd bad_input || exit 1
+unset DISPLAY WAYLAND_DISPLAY
+
+complain() {
+    failures=$((failures + 1))
+    printf 'FAILED: %s\n' "$*"
+}
+
+# refuses TEXT ARGUMENT...
+refuses() {
+    text=$1
+    shift
+    "$ew_demo" "$@" > ../bad_input.stdout 2> ../bad_input.stderr < /dev/null
+    status=$?
+    [ $status -eq 2 ] || complain "ew-demo $* exits with $status"
+    [ ! -s ../bad_input.stdout ] || complain "ew-demo $* prints on standard output"
+    [ "$(wc -l < ../bad_input.stderr)" -eq 1 ] || complain "ew-demo $* prints $(wc -l < ../bad_input.stderr) lines"
+    grep -qF -e "$text" ../bad_input.stderr || complain "ew-demo $* says: $(cat ../bad_input.stderr)"
+    [ -z "$(ls -A)" ] || complain "ew-demo $* leaves $(ls -A)"
+}
+
+refuses '--size: must be WIDTHxHEIGHT' --size 640
+refuses '--samples: must be a number from 1 to 4' --samples 5
+refuses '--frames: must be two numbers' --offscreen --frames 5-3 -o %d.png
+refuses '--frames: must be two numbers' --offscreen --frames -3 -o %d.png
+refuses '--fps: must be a number from 1 to 240' --offscreen --fps 0 -o %d.png
+refuses '--offscreen: no output is asked for' --offscreen
+refuses 'add --offscreen' -o frame%d.png
+refuses 'add --offscreen' --video demo.mp4
+refuses 'let it end in .png' --offscreen -o frame%d.jpg
+refuses 'needs one place for the frame' --offscreen -o frame.png
+refuses 'needs one place for the frame' --offscreen -o frame%s.png
+refuses 'needs one place for the frame' --offscreen -o %d%d.png
+refuses 'needs one place for the frame' --offscreen --frames 3 -o %s.png
+refuses 'is not an option' --fast
+refuses 'is one scene too many' a.json b.json
+refuses 'missing.json: cannot be opened' missing.json --offscreen --frames 0 -o %d.png
+refuses 'cannot be written' --offscreen --frames 0 --size 8x8 -o missing/%d.png
+
+printf '%d failures\n' $failures
+[ $failures -eq 0 ]

@@ -1,0 +1,58 @@
+#!/bin/sh
+# Frames written without a window: any part of a run has the very frames of the whole run, whatever came before; the animation
+# moves, and closes its circle; a scene file looks as ew-render draws it.
+# Usage: offscreen.sh EW_DEMO EW_RENDER SCENES VERSION
+ew_demo=$1
+ew_render=$2
+scenes=$3
+version=$4
+failures=0
+rm -rf offscreen && mkdir offscreen && cd offscreen || exit 1
+unset DISPLAY WAYLAND_DISPLAY
+
+complain() {
+    failures=$((failures + 1))
+    printf 'FAILED: %s\n' "$*"
+}
+
+# draws ARGUMENT...: frames of 96x54, without a word.
+draws() {
+    "$ew_demo" --offscreen --size 96x54 "$@" > output 2>&1 < /dev/null || complain "ew-demo --offscreen $* exits with $?"
+    [ ! -s output ] || complain "ew-demo --offscreen $* says: $(cat output)"
+}
+
+# A few frames a second make the run short; the shot, at 5 seconds, lies between its frames 20 and 21.
+mkdir whole split reverse
+draws --fps 4 --frames 18-23 -o whole/%03d.png
+for frames in 18-19 20 21-23; do
+    draws --fps 4 --frames $frames -o split/%03d.png
+done
+for frame in 23 21 18; do
+    draws --fps 4 --frames $frame -o reverse/%03d.png
+done
+[ "$(ls whole | tr '\n' ' ')" = '018.png 019.png 020.png 021.png 022.png 023.png ' ] || complain "a run of 18-23 has $(ls whole)"
+for frame in 018 019 020 021 022 023; do
+    cmp -s whole/$frame.png split/$frame.png || complain "frame $frame differs between a whole run and a part of it"
+done
+for frame in 018 021 023; do
+    cmp -s whole/$frame.png reverse/$frame.png || complain "frame $frame depends on the frames before it"
+done
+[ "$(cksum whole/*.png | cut -d ' ' -f 1 | sort -u | wc -l)" -eq 6 ] || complain 'not every frame is a new one'
+
+draws --fps 4 --frames 0 -o start.png
+draws --fps 4 --frames 40 -o end.png
+cmp -s start.png end.png || complain 'the animation jumps where it starts again'
+
+# The pictures of a scene file are ew-render's, but for what 16-bit floats and the display's encoding round.
+draws "$scenes/showpiece.json" --frames 0 -o scene.png
+"$ew_render" "$scenes/showpiece.json" --size 96x54 -o expected.png > /dev/null || complain 'ew-render fails'
+if command -v compare > /dev/null; then
+    differing=$(compare -metric AE -fuzz 0.5% scene.png expected.png null: 2>&1)
+    [ "$differing" = 0 ] || complain "$differing pixels of a scene file's picture differ from ew-render's"
+fi
+
+[ "$("$ew_demo" --version)" = "ew-demo $version" ] || complain "the version is $("$ew_demo" --version)"
+"$ew_demo" --help | grep -q '^Usage: ew-demo' || complain '--help shows no usage'
+
+printf '%d failures\n' $failures
+[ $failures -eq 0 ]
