@@ -291,11 +291,12 @@ typedef struct ew_frame_desc {
     /* World to view: a rotation, or a mirroring, and a translation (no scale, no shear). Sources farther from the camera, or
      * larger, than 1e6 times the interval's length are refused. */
     double view[16];
-    /* View to clip: any perspective or parallel projection, off-axis, jittered, oblique, reversed or infinite. */
+    /* View to clip: any perspective or parallel projection, off-axis, jittered, oblique, reversed or infinite. What is seen
+     * must not be wider than 1e6 times the interval's length to either side of the axis. */
     double projection[16];
     ew_clip_depth clip_depth;
 
-    /* View depths of S and E: start < end, both finite; start > 0 for a perspective projection. */
+    /* View depths of S and E: start < end, both finite; for a perspective projection, start > 0 and end <= 1e12 start. */
     double interval_start;
     double interval_end;
     /* (21): alpha in [0, 1e12], beta in [1e-6, 1e6]. */

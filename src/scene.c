@@ -17,6 +17,8 @@
 #define MAX_COLOR 65504.0
 #define MIN_BETA 1e-6
 #define MAX_BETA 1e6
+#define MAX_INTERVAL_RATIO 1e12
+#define MAX_WINDOW_DEPTH 1e15
 
 /* A parabola's vertex farther than this from the arc, in lengths of the arc's parameter domain, is no longer taken as origin:
  * the arc turns by less than 7 degrees then, and coordinates from the vertex would lose digits. */
@@ -323,6 +325,9 @@ static ew_result validate_projection(const ew_frame_desc *frame, ew_error *error
         return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "projection must not flatten x and y");
     if (!is_parallel(p) && !(frame->interval_start > 0))
         return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "interval_start must be > 0 for a perspective projection");
+    if (!is_parallel(p) && !(frame->interval_end <= MAX_INTERVAL_RATIO * frame->interval_start))
+        return ew_fail(error, EW_ERROR_INVALID_ARGUMENT,
+                       "interval_end must be at most %g times interval_start for a perspective projection", MAX_INTERVAL_RATIO);
     return EW_OK;
 }
 
@@ -578,6 +583,24 @@ static double window_depth_at(const ew_frame_desc *frame, double x, double y, do
     return frame->clip_depth == EW_CLIP_DEPTH_ZERO_TO_ONE ? ndc_depth : 0.5 * ndc_depth + 0.5;
 }
 
+/* Rays and their window depths change linearly over the picture and between the interval's ends, so that its corners bound them
+ * all. */
+static ew_result check_rays(const ew_frame_desc *frame, double length, ew_error *error)
+{
+    for (int corner = 0; corner < 8; ++corner) {
+        double x = corner & 1 ? 1 : -1, y = corner & 2 ? 1 : -1, position[2];
+        double depth = corner & 4 ? frame->interval_end : frame->interval_start;
+        ray_at(frame->projection, x, y, depth, position);
+        if (!(fabs(position[0]) <= MAX_COORDINATE * length && fabs(position[1]) <= MAX_COORDINATE * length))
+            return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "projection must show no more than %g times the interval's length",
+                           MAX_COORDINATE);
+        if (!(fabs(window_depth_at(frame, x, y, depth)) <= MAX_WINDOW_DEPTH))
+            return ew_fail(error, EW_ERROR_INVALID_ARGUMENT,
+                           "projection must give depths of at most %g at interval_start and interval_end", MAX_WINDOW_DEPTH);
+    }
+    return EW_OK;
+}
+
 static ew_vec4 pack_window_depth(const ew_frame_desc *frame, double depth)
 {
     double center = window_depth_at(frame, 0, 0, depth);
@@ -635,7 +658,8 @@ ew_result ew_scene_pack(ew_scene *scene, const ew_frame_desc *frame, struct ew_f
     if (!(epsilon >= MIN_EPSILON && epsilon <= MAX_COORDINATE))
         return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "epsilon over the interval's length must be in [%g, %g]", MIN_EPSILON,
                        MAX_COORDINATE);
-    ew_result result = pack_sources(scene, frame, &space, error);
+    ew_result result = check_rays(frame, space.length, error);
+    if (result == EW_OK) result = pack_sources(scene, frame, &space, error);
     if (result != EW_OK) return result;
 
     *block = (struct ew_frame_block){0};

@@ -145,6 +145,17 @@ static void only_a_parallel_projection_may_start_behind_the_eye(void **state)
     expect_taken(&frame);
 }
 
+static void a_perspective_interval_whose_ends_are_too_far_apart_is_refused(void **state)
+{
+    (void)state;
+    ew_frame_desc frame = good_frame();
+    frame.interval_start = 1e-3;
+    frame.interval_end = 0.9e9;
+    expect_taken(&frame);
+    frame.interval_end = 1.1e9;
+    expect_refused(&frame, "interval_end");
+}
+
 static void decay_out_of_range_is_refused(void **state)
 {
     (void)state;
@@ -232,6 +243,7 @@ int main(void)
         cmocka_unit_test(a_projection_that_projects_nothing_is_refused),
         cmocka_unit_test(an_interval_without_length_is_refused),
         cmocka_unit_test(only_a_parallel_projection_may_start_behind_the_eye),
+        cmocka_unit_test(a_perspective_interval_whose_ends_are_too_far_apart_is_refused),
         cmocka_unit_test(decay_out_of_range_is_refused),
         cmocka_unit_test(numbers_of_divisions_that_simpson_cannot_take_are_refused),
         cmocka_unit_test(values_outside_an_enumeration_are_refused),

@@ -311,12 +311,39 @@ static void opaque_depth_tells_where_the_ray_ends(void **state)
     for_all_pixels(check_opaque_parameter);
 }
 
+static void expect_projection_refused(int element, double value)
+{
+    ew_scene scene = {.sources.epsilon = 1e-3};
+    ew_frame_desc frame = EW_FRAME_DEFAULTS;
+    struct ew_frame_block block;
+    ew_error error = {EW_OK, ""};
+    frame.viewport_width = frame.viewport_height = 64;
+    assert_int_equal(ew_scene_pack(&scene, &frame, &block, NULL), EW_OK);
+    frame.projection[element] = value;
+    ew_result result = ew_scene_pack(&scene, &frame, &block, &error);
+    check_refused(result, &error, EW_ERROR_INVALID_ARGUMENT, "projection");
+}
+
+/* Where they would overflow in the shader, and become pixels that are not numbers. */
+static void rays_and_depths_beyond_a_floats_range_are_refused(void **state)
+{
+    (void)state;
+    expect_projection_refused(0, 1e-39);
+    expect_projection_refused(5, 1e-7);
+    expect_projection_refused(8, 1e308);
+    expect_projection_refused(9, -1e39);
+    expect_projection_refused(4, 1e308);
+    expect_projection_refused(14, -1e39);
+    expect_projection_refused(10, 1e308);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(rays_go_through_the_centres_of_pixels),
         cmocka_unit_test(window_depths_of_both_ends_have_more_digits_than_floats),
         cmocka_unit_test(opaque_depth_tells_where_the_ray_ends),
+        cmocka_unit_test(rays_and_depths_beyond_a_floats_range_are_refused),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,0 +1,271 @@
+/*
+ * The library under random descriptors, hostile ones among them: each call is an error that leaves the picture, the effect and
+ * GL as they were, or a picture without a value that is infinite, negative or not a number. Nothing else.
+ *
+ *     api_fuzz [FIRST_NUMBER COUNT]
+ *
+ * Each case follows from its number alone, which is printed where a promise is broken.
+ */
+#include "context.h"
+#include "random_desc.h"
+#include "random_numbers.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { WIDTH = 12, HEIGHT = 10, VALUES = 4 * WIDTH * HEIGHT, DEFAULT_COUNT = 10000, SKIPPED = 77 };
+
+static const source_mix mixes[] = {
+    {1, 0, 0, 0, false, false, EW_INTEGRATOR_ADAPTIVE, EW_OUTPUT_LERP},
+    {0, 1, 0, 0, false, false, EW_INTEGRATOR_ADAPTIVE, EW_OUTPUT_LERP},
+    {0, 0, 1, 0, false, false, EW_INTEGRATOR_ADAPTIVE, EW_OUTPUT_LUMINANCE},
+    {0, 0, 0, 1, false, false, EW_INTEGRATOR_ADAPTIVE, EW_OUTPUT_LUMINANCE},
+    {0, 0, 0, 1, true, true, EW_INTEGRATOR_ADAPTIVE, EW_OUTPUT_LUMINANCE},
+    {3, 2, 0, 0, false, true, EW_INTEGRATOR_ADAPTIVE, EW_OUTPUT_LUMINANCE},
+    {7, 6, 5, 5, true, true, EW_INTEGRATOR_ADAPTIVE, EW_OUTPUT_ADD},
+    {5, 5, 5, 5, false, false, EW_INTEGRATOR_ADAPTIVE, EW_OUTPUT_EVALUATIONS},
+    {5, 5, 5, 5, true, true, EW_INTEGRATOR_SIMPSON, EW_OUTPUT_LERP},
+    {0, 0, 0, 0, false, true, EW_INTEGRATOR_ADAPTIVE, EW_OUTPUT_LERP},
+};
+enum { MIX_COUNT = sizeof mixes / sizeof mixes[0] };
+
+typedef struct fuzzer {
+    const gl_functions *gl;
+    ew_effect *effect;
+    GLuint framebuffer, color_texture, depth_texture, incomplete_framebuffer;
+    uint64_t number; /* of the case */
+    uint64_t random;
+    size_t drawn, refused;
+    float before[VALUES], after[VALUES];
+} fuzzer;
+
+static void fail(const fuzzer *f, const char *what)
+{
+    fprintf(stderr, "case %llu: %s; repeat it by: api_fuzz %llu 1\n", (unsigned long long)f->number, what,
+            (unsigned long long)f->number);
+    exit(EXIT_FAILURE);
+}
+
+static void require(const fuzzer *f, bool condition, const char *what)
+{
+    if (!condition) fail(f, what);
+}
+
+/* ---- GL ----------------------------------------------------------------------------------------------------------------- */
+
+static void create_objects(fuzzer *f)
+{
+    const gl_functions *gl = f->gl;
+    gl->GenTextures(1, &f->color_texture);
+    gl->BindTexture(GL_TEXTURE_2D, f->color_texture);
+    gl->TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, WIDTH, HEIGHT, 0, GL_RGBA, GL_FLOAT, NULL);
+    gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
+    gl->GenTextures(1, &f->depth_texture);
+    gl->GenFramebuffers(1, &f->incomplete_framebuffer);
+    gl->BindFramebuffer(GL_FRAMEBUFFER, f->incomplete_framebuffer);
+    gl->GenFramebuffers(1, &f->framebuffer);
+    gl->BindFramebuffer(GL_FRAMEBUFFER, f->framebuffer);
+    gl->FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, f->color_texture, 0);
+}
+
+/* A background that is not the same everywhere, and depths with the nearest and the farthest among them. */
+static void fill_target(fuzzer *f)
+{
+    const gl_functions *gl = f->gl;
+    float depths[WIDTH * HEIGHT];
+    for (int i = 0; i < VALUES; i++)
+        f->before[i] = (float)(4 * random_unit(&f->random));
+    for (int i = 0; i < WIDTH * HEIGHT; i++) {
+        double shift = random_unit(&f->random) * 3 - 1;
+        depths[i] = (float)fmin(fmax(shift, 0), 1);
+    }
+    gl->BindTexture(GL_TEXTURE_2D, f->depth_texture);
+    gl->TexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT32F, WIDTH, HEIGHT, 0, GL_DEPTH_COMPONENT, GL_FLOAT, depths);
+    gl->BindTexture(GL_TEXTURE_2D, 0);
+}
+
+static void read_target(const fuzzer *f, float values[VALUES])
+{
+    f->gl->ReadPixels(0, 0, WIDTH, HEIGHT, GL_RGBA, GL_FLOAT, values);
+}
+
+/* Every integral is cut to what is finite and not negative; in GLSL that leaves open what becomes of one that is not a number.
+ * Here it becomes a negative pixel, to be seen. */
+static const char cut[] = "clamp(luminance, 0.0, EW_MAX_LUMINANCE)";
+static const char telling_cut[] = "(isnan(luminance) ? -1e38 : clamp(luminance, 0.0, EW_MAX_LUMINANCE))";
+static PFNGLSHADERSOURCEPROC shader_source;
+static bool was_cut;
+
+static void APIENTRY telling_shader_source(GLuint shader, GLsizei count, const GLchar *const *strings, const GLint *lengths)
+{
+    enum { MAX_STRINGS = 64, MAX_LENGTH = 1 << 16 };
+    static char text[MAX_LENGTH];
+    const char *changed[MAX_STRINGS], *found;
+    for (GLsizei i = 0; i < count && i < MAX_STRINGS; i++) {
+        changed[i] = strings[i];
+        if (!(found = strstr(strings[i], cut))) continue;
+        snprintf(text, sizeof text, "%.*s%s%s", (int)(found - strings[i]), strings[i], telling_cut, found + strlen(cut));
+        changed[i] = text;
+        was_cut = true;
+    }
+    shader_source(shader, count, changed, lengths);
+}
+
+static ew_gl_function get_proc_address(void *user, const char *name)
+{
+    ew_gl_function function = context_get_proc_address(user, name);
+    if (strcmp(name, "glShaderSource") != 0) return function;
+    shader_source = (PFNGLSHADERSOURCEPROC)function;
+    return (ew_gl_function)telling_shader_source;
+}
+
+/* ---- Calls and their promises ------------------------------------------------------------------------------------------- */
+
+static void check_error(const fuzzer *f, ew_result result, const ew_error *error, const ew_error *untouched)
+{
+    require(f, f->gl->GetError() == GL_NO_ERROR, "a GL error is left");
+    if (result == EW_OK) {
+        require(f, memcmp(error, untouched, sizeof *error) == 0, "a call that succeeds touches the error");
+        return;
+    }
+    require(f, error->code == result, "the error's code is not the result");
+    require(f, memchr(error->text, '\0', sizeof error->text) && error->text[0], "the error has no text");
+    require(f, !strchr(error->text, '\n'), "the error's text has a line break");
+}
+
+static ew_result set_sources(fuzzer *f, const ew_sources_desc *sources)
+{
+    ew_error error, untouched;
+    memset(&error, 0x55, sizeof error);
+    untouched = error;
+    ew_result result = ew_set_sources(f->effect, sources, &error);
+    check_error(f, result, &error, &untouched);
+    return result;
+}
+
+/* Draws over f->before; the picture is then in f->after. */
+static ew_result draw(fuzzer *f, const ew_frame_desc *frame)
+{
+    ew_error error, untouched;
+    memset(&error, 0x55, sizeof error);
+    untouched = error;
+    f->gl->BindTexture(GL_TEXTURE_2D, f->color_texture);
+    f->gl->TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, WIDTH, HEIGHT, 0, GL_RGBA, GL_FLOAT, f->before);
+    f->gl->BindTexture(GL_TEXTURE_2D, 0);
+    ew_result result = ew_draw(f->effect, frame, &error);
+    check_error(f, result, &error, &untouched);
+    read_target(f, f->after);
+    if (result == EW_OK) {
+        f->drawn++;
+        for (int i = 0; i < VALUES; i++)
+            require(f, isfinite(f->after[i]) && f->after[i] >= 0, "a pixel is infinite, negative or not a number");
+    } else {
+        f->refused++;
+        require(f, memcmp(f->before, f->after, sizeof f->before) == 0, "a draw that fails changes the picture");
+    }
+    return result;
+}
+
+/* Sources that may be refused: then those of before are still there. */
+static void try_sources(fuzzer *f, const random_desc *desc, const ew_sources_desc *sources, bool drawable)
+{
+    float picture[VALUES];
+    memcpy(picture, f->after, sizeof picture);
+    if (set_sources(f, sources) != EW_OK) {
+        f->refused++;
+        if (!drawable) return;
+        require(f, draw(f, &desc->frame) == EW_OK, "after sources that were refused, the old ones are not drawn");
+        require(f, memcmp(picture, f->after, sizeof picture) == 0, "sources that are refused change the picture");
+    } else {
+        draw(f, &desc->frame);
+    }
+}
+
+static void spoil_target(fuzzer *f, ew_frame_desc *frame)
+{
+    const GLuint framebuffers[] = {0, f->incomplete_framebuffer, 4000000000u, 12345};
+    const GLuint textures[] = {4000000000u, 12345};
+    if (frame->depth_texture && random_index(&f->random, 2) == 0)
+        frame->depth_texture = textures[random_index(&f->random, 2)];
+    else
+        frame->framebuffer = framebuffers[random_index(&f->random, 4)];
+}
+
+static void run_case(fuzzer *f)
+{
+    f->random = f->number;
+    const source_mix *mix = &mixes[random_index(&f->random, MIX_COUNT)];
+    bool extreme = random_index(&f->random, 2) == 0;
+    random_desc desc;
+    fill_target(f);
+    desc.frame.framebuffer = f->framebuffer;
+    desc.frame.depth_texture = mix->depth ? f->depth_texture : 0;
+    random_desc_make(&desc, mix, extreme, WIDTH, HEIGHT, &f->random);
+
+    bool drawable = set_sources(f, &desc.sources) == EW_OK && draw(f, &desc.frame) == EW_OK;
+    require(f, drawable || extreme, "an ordinary scene is refused");
+    switch (random_index(&f->random, 8)) {
+    case 0:
+        spoil_source_number(&desc, &f->random);
+        try_sources(f, &desc, &desc.sources, drawable);
+        break;
+    case 1:
+        spoil_all_source_numbers(&desc, &f->random);
+        try_sources(f, &desc, &desc.sources, drawable);
+        break;
+    case 2:
+        spoil_lists(&desc, &f->random);
+        try_sources(f, &desc, &desc.sources, drawable);
+        break;
+    case 3:
+        spoil_frame_number(&desc, &f->random);
+        draw(f, &desc.frame);
+        break;
+    case 4:
+        spoil_all_frame_numbers(&desc, &f->random);
+        draw(f, &desc.frame);
+        break;
+    case 5:
+        spoil_frame_integer(&desc, &f->random);
+        draw(f, &desc.frame);
+        break;
+    case 6:
+        spoil_target(f, &desc.frame);
+        draw(f, &desc.frame);
+        break;
+    default:
+        try_sources(f, &desc, NULL, drawable);
+        draw(f, NULL);
+        break;
+    }
+}
+
+int main(int argc, char **argv)
+{
+    uint64_t first = argc == 3 ? strtoull(argv[1], NULL, 10) : 1,
+             count = argc == 3 ? strtoull(argv[2], NULL, 10) : DEFAULT_COUNT;
+    char message[256];
+    gl_context *context = context_create(CONTEXT_EGL, message, sizeof message);
+    if (!context) {
+        printf("SKIPPED: %s\n", message);
+        return SKIPPED;
+    }
+    static fuzzer f;
+    ew_error error;
+    f.gl = context_gl(context);
+    if (ew_create_effect(&(ew_effect_desc){.get_proc_address = get_proc_address, .user = context}, &f.effect, &error) !=
+        EW_OK) {
+        fprintf(stderr, "%s\n", error.text);
+        return EXIT_FAILURE;
+    }
+    create_objects(&f);
+    for (f.number = first; f.number < first + count; f.number++)
+        run_case(&f);
+    require(&f, was_cut || f.drawn == 0, "the shaders do not cut the integral in these words: see telling_shader_source");
+    printf("%llu cases: %zu pictures, %zu refusals\n", (unsigned long long)count, f.drawn, f.refused);
+    ew_destroy_effect(f.effect);
+    context_destroy(context);
+    return EXIT_SUCCESS;
+}
