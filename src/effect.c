@@ -5,7 +5,7 @@
 #include "error.h"
 #include "gl.h"
 #include "opaque_depth.h"
-#include "program.h"
+#include "program_cache.h"
 #include "scene.h"
 #include "state_guard.h"
 
@@ -108,20 +108,23 @@ static ew_gl_draw_state draw_state(const ew_frame_desc *frame)
     return state;
 }
 
-static void draw_quad(const ew_gl *gl)
+/* Four vertices are the quad; the next ones lie beyond its upper edge, and the triangles that they make are clipped away. */
+enum { QUAD_VERTEX = 0, OUTSIDE_VERTEX = 4, QUAD_VERTEX_COUNT = 4 };
+
+static void draw_quad(const ew_gl *gl, GLint first_vertex)
 {
-    gl->DrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+    gl->DrawArrays(GL_TRIANGLE_STRIP, first_vertex, QUAD_VERTEX_COUNT);
 }
 
 /* Draws each sample of the target with its own depth, or, where the target has other samples, each pixel with them all. Masks
  * do what gl_SampleID would, in every context that has multisampled textures. */
-static void draw_samples(const ew_gl *gl, GLuint program, GLint samples)
+static void draw_samples(const ew_gl *gl, GLuint program, GLint samples, GLint first_vertex)
 {
     GLint target_samples = 0, location = gl->GetUniformLocation(program, "ew_samples");
     gl->GetIntegerv(GL_SAMPLES, &target_samples);
     if (target_samples != samples) {
         gl->Uniform2i(location, 0, samples);
-        draw_quad(gl);
+        draw_quad(gl, first_vertex);
         return;
     }
     if (gl->multisample) gl->Enable(GL_MULTISAMPLE);
@@ -129,27 +132,22 @@ static void draw_samples(const ew_gl *gl, GLuint program, GLint samples)
     for (GLint i = 0; i < samples; i++) {
         gl->SampleMaski(0, (GLbitfield)1 << i);
         gl->Uniform2i(location, i, i + 1);
-        draw_quad(gl);
+        draw_quad(gl, first_vertex);
     }
     gl->Disable(GL_SAMPLE_MASK);
 }
 
-static ew_result draw(ew_effect *effect, const ew_frame_desc *frame, const struct ew_frame_block *block, ew_gl_state *state,
-                      ew_error *error)
+static ew_result draw(ew_effect *effect, const ew_frame_desc *frame, const struct ew_frame_block *block, GLuint program,
+                      GLint first_vertex, ew_gl_state *state, ew_error *error)
 {
     const ew_gl *gl = &effect->gl;
-    GLuint program;
-    ew_result result = ew_program_get(&effect->programs, gl, effect->capacity, &effect->allocator,
-                                      ew_program_key(&effect->scene, frame), &program, error);
-    if (result != EW_OK) return result;
-
     ew_gl_draw_state wanted = draw_state(frame);
     ew_gl_set_draw_state(gl, state, &wanted);
     if (gl->CheckFramebufferStatus(GL_DRAW_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
         return ew_fail(error, EW_ERROR_OPENGL, "framebuffer %u is not complete", frame->framebuffer);
 
     ew_opaque_depth depth;
-    result = ew_opaque_depth_bind(&effect->depth_copy, gl, frame, &depth, error);
+    ew_result result = ew_opaque_depth_bind(&effect->depth_copy, gl, frame, &depth, error);
     if (result != EW_OK) return result;
     gl->BindSampler(EW_GL_DEPTH_TEXTURE_UNIT, effect->sampler);
     upload(effect, block);
@@ -157,9 +155,9 @@ static ew_result draw(ew_effect *effect, const ew_frame_desc *frame, const struc
     gl->UseProgram(program);
     gl->BindVertexArray(effect->vertex_array);
     if (depth.samples > 0)
-        draw_samples(gl, program, depth.samples);
+        draw_samples(gl, program, depth.samples, first_vertex);
     else
-        draw_quad(gl);
+        draw_quad(gl, first_vertex);
     ew_opaque_depth_release(gl, &depth);
     return EW_OK;
 }
@@ -178,7 +176,23 @@ static ew_result validate_names(const ew_gl *gl, const ew_frame_desc *frame, ew_
     return EW_OK;
 }
 
-ew_result ew_draw(ew_effect *effect, const ew_frame_desc *frame, ew_error *error)
+/* What ew_draw and ew_prepare have in common; the latter goes on only if the program is ready, and draws outside of the view.
+ */
+typedef enum draw_purpose { DRAWING, PREPARING } draw_purpose;
+
+static ew_result draw_mix(ew_effect *effect, unsigned program_key, const ew_frame_desc *frame,
+                          const struct ew_frame_block *block, draw_purpose purpose, GLuint *program, ew_gl_state *state,
+                          ew_error *error)
+{
+    ew_result result = (purpose == DRAWING ? ew_program_get : ew_program_prepare)(
+        &effect->programs, &effect->gl, effect->capacity, &effect->allocator, program_key, program, error);
+    if (result != EW_OK || *program == 0) return result;
+    return draw(effect, frame, block, *program, purpose == DRAWING ? QUAD_VERTEX : OUTSIDE_VERTEX, state, error);
+}
+
+/* `mix`: NULL for the current sources. `program` becomes 0 if it is being prepared. */
+static ew_result draw_frame(ew_effect *effect, const ew_mix *mix, const ew_frame_desc *frame, draw_purpose purpose,
+                            GLuint *program, ew_error *error)
 {
     if (!effect) return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "effect must not be NULL");
     ew_result result = ew_validate_frame(frame, error);
@@ -190,16 +204,33 @@ ew_result ew_draw(ew_effect *effect, const ew_frame_desc *frame, ew_error *error
     struct ew_frame_block block;
     result = ew_scene_pack(&effect->scene, frame, &block, error);
     if (result != EW_OK) return result;
+    ew_mix current = ew_scene_mix(&effect->scene);
+    unsigned key = ew_program_key(mix ? mix : &current, frame);
     ew_gl_state state;
     if (frame->skip_restore) {
         ew_gl_assume_state(gl, &state);
-        result = draw(effect, frame, &block, &state, error);
+        result = draw_mix(effect, key, frame, &block, purpose, program, &state, error);
         ew_gl_restore_objects(gl, &state);
         return result;
     }
     result = ew_gl_save_state(gl, &state, error);
     if (result != EW_OK) return result;
-    result = draw(effect, frame, &block, &state, error);
+    result = draw_mix(effect, key, frame, &block, purpose, program, &state, error);
     ew_gl_restore_state(gl, &state);
+    return result;
+}
+
+ew_result ew_draw(ew_effect *effect, const ew_frame_desc *frame, ew_error *error)
+{
+    GLuint program;
+    return draw_frame(effect, NULL, frame, DRAWING, &program, error);
+}
+
+ew_result ew_prepare(ew_effect *effect, const ew_mix *mix, const ew_frame_desc *frame, int *is_ready, ew_error *error)
+{
+    if (!is_ready) return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "is_ready must not be NULL");
+    GLuint program;
+    ew_result result = draw_frame(effect, mix, frame, PREPARING, &program, error);
+    if (result == EW_OK) *is_ready = program != 0;
     return result;
 }

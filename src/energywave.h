@@ -362,9 +362,44 @@ typedef struct ew_frame_desc {
  *         depth_texture is not the kind of texture that depth_source says; ew_draw takes it out of GL's error flag, and with it
  *         what the host may have left there.
  * GL:     the context must be current. The first draw of a new mix of source kinds, integrator, output, depth and dither
- *         compiles a shader. Leaves all state as it was (see skip_restore); changes only the framebuffer's colour (its first
- *         draw buffer). */
+ *         compiles a shader, unless ew_prepare did. Leaves all state as it was (see skip_restore); changes only the
+ * framebuffer's colour (its first draw buffer). */
 EW_API ew_result ew_draw(ew_effect *effect, const ew_frame_desc *frame, ew_error *error);
+
+/* ---- Ahead of the draw -------------------------------------------------------------------------------------------------- */
+
+/* Which sources a shader is made for. The numbers from 0 to 4 are exact: with few sources, a shader made for just as many is
+ * the fastest. Any larger number stands for any number, also for none: EW_ANY_COUNT. */
+typedef struct ew_mix {
+    size_t point_count;
+    size_t line_count;
+    size_t torus_count;
+    size_t curve_count;
+    int has_weights; /* 1: curves with weights and without; 0: without */
+} ew_mix;
+
+#define EW_ANY_COUNT 5
+
+/* Compiles ahead, so that ew_draw need not: starts to make the shader that draws `mix` as `frame` says, and asks whether it is
+ * ready. Call it again, every frame or so, until it is.
+ *
+ * A shader is made for a mix and for the frame's integrator, output, depth and dither, and drivers may finish it for the
+ * framebuffer's format only; all else in `frame` and in the sources may change freely. ew_draw takes the shader for just the
+ * sources that the effect has if it is ready; else, one that is more general; and only if none is ready does it wait for a
+ * compiler. So a host whose sources come and go prepares a general mix while it loads, with EW_ANY_COUNT of each kind that may
+ * come, and no draw of any of them will ever wait; and, if it likes, prepares the current sources too, whenever they change, to
+ * get their faster shader once that is ready.
+ *
+ * The driver compiles on threads of its own where it has GL_KHR_parallel_shader_compile; where it has not, the call waits for
+ * the compiler. Once compiled, the shader is used for a first draw, all of it outside of the viewport, since some drivers only
+ * finish shaders then.
+ *
+ * mix:      NULL for the effect's current sources.
+ * frame:    as ew_draw would take it.
+ * is_ready: becomes 1 if the shader is ready, else 0; left alone on failure.
+ * Errors:   as ew_draw.
+ * GL:       as ew_draw, but the picture is left alone. */
+EW_API ew_result ew_prepare(ew_effect *effect, const ew_mix *mix, const ew_frame_desc *frame, int *is_ready, ew_error *error);
 
 #ifdef __cplusplus
 }

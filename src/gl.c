@@ -181,6 +181,8 @@ ew_result ew_gl_load(ew_gl *gl, ew_gl_function (*get_proc_address)(void *user, c
     load_groups(gl, &loader);
     if (loader.missing_count > 0) return fail_missing(&loader, error);
 
+    gl->parallel_shader_compile =
+        has_extension(gl, "GL_KHR_parallel_shader_compile") || has_extension(gl, "GL_ARB_parallel_shader_compile");
     gl->GetIntegerv(GL_MAX_UNIFORM_BLOCK_SIZE, &gl->max_uniform_block_size);
     gl->GetIntegerv(GL_MAX_DRAW_BUFFERS, &gl->max_draw_buffers);
     gl->framebuffer_srgb = !gl->es || has_extension(gl, "GL_EXT_sRGB_write_control");

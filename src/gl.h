@@ -123,9 +123,10 @@ typedef struct ew_gl {
     EW_GL_COMPATIBILITY_FUNCTIONS(EW_GL_MEMBER)
 #undef EW_GL_MEMBER
 
-    bool es;            /* OpenGL ES: shaders start with "#version 300 es", else with "#version 330 core" */
-    bool compatibility; /* the compatibility profile */
-    int version;        /* 10 * major + minor */
+    bool es;                      /* OpenGL ES: shaders start with "#version 300 es", else with "#version 330 core" */
+    bool compatibility;           /* the compatibility profile */
+    int version;                  /* 10 * major + minor */
+    bool parallel_shader_compile; /* the driver can be asked whether a program is complete */
     GLint max_uniform_block_size;
     GLint max_draw_buffers;
     bool framebuffer_srgb;  /* GL_FRAMEBUFFER_SRGB can be enabled and disabled */

@@ -1,4 +1,4 @@
-/* Assembles shaders from the files of glsl/, compiles and keeps them. */
+/* Assembles shaders from the files of glsl/ and compiles them. */
 #include "program.h"
 
 #include "error.h"
@@ -32,12 +32,11 @@ static bool is_dithered(const ew_frame_desc *frame)
     return frame->dither && is_picture && frame->encoding != EW_ENCODING_FLOAT;
 }
 
-unsigned ew_program_key(const ew_scene *scene, const ew_frame_desc *frame)
+unsigned ew_program_key(const ew_mix *mix, const ew_frame_desc *frame)
 {
-    const ew_sources_desc *sources = &scene->sources;
-    const size_t counts[KIND_COUNT] = {sources->point_count, sources->line_count, sources->torus_count, sources->curve_count};
+    const size_t counts[KIND_COUNT] = {mix->point_count, mix->line_count, mix->torus_count, mix->curve_count};
     unsigned key = 0;
-    if (scene->weight_piece_count > 0) key |= EW_PROGRAM_WEIGHTS;
+    if (mix->has_weights && mix->curve_count > 0) key |= EW_PROGRAM_WEIGHTS;
     if (has_depth(frame)) {
         key |= EW_PROGRAM_DEPTH;
         if (frame->depth_source == EW_DEPTH_TEXTURE_MULTISAMPLE) key |= EW_PROGRAM_DEPTH_MULTISAMPLE;
@@ -54,6 +53,16 @@ unsigned ew_program_key(const ew_scene *scene, const ew_frame_desc *frame)
         key |= (unsigned)count << count_shift(kind);
     }
     return key;
+}
+
+bool ew_program_covers(unsigned key, unsigned other)
+{
+    const unsigned flags = ((1u << EW_PROGRAM_FLAG_COUNT) - 1) & ~(unsigned)EW_PROGRAM_WEIGHTS;
+    if ((key & flags) != (other & flags)) return false;
+    if (other & EW_PROGRAM_WEIGHTS && !(key & EW_PROGRAM_WEIGHTS)) return false;
+    for (int kind = 0; kind < KIND_COUNT; ++kind)
+        if (count_of(key, kind) != count_of(other, kind) && count_of(key, kind) <= EW_PROGRAM_MAX_UNROLLED) return false;
+    return true;
 }
 
 /* The files of a fragment shader, in order, and which permutations need each. */
@@ -180,36 +189,23 @@ static void write_header(char header[MAX_HEADER_LENGTH], const ew_gl *gl, size_t
     }
 }
 
-/* Compiles the strings to a shader; 0 on failure. */
-static GLuint compile(const ew_gl *gl, GLenum stage, int count, const char *const *strings, ew_error *error)
+/* Hands the strings to the compiler. Whether it takes them is not asked here: the answer would have to be waited for. */
+static GLuint compile(const ew_gl *gl, GLenum stage, int count, const char *const *strings)
 {
     GLuint shader = gl->CreateShader(stage);
-    if (!shader) {
-        ew_fail(error, EW_ERROR_SHADER, "the driver made no shader object: the context may be lost");
-        return 0;
-    }
+    if (!shader) return 0;
     gl->ShaderSource(shader, count, strings, NULL);
     gl->CompileShader(shader);
-    GLint compiled = GL_FALSE;
-    gl->GetShaderiv(shader, GL_COMPILE_STATUS, &compiled);
-    if (compiled) return shader;
-
-    char log[160] = "";
-    gl->GetShaderInfoLog(shader, sizeof log, NULL, log);
-    log[strcspn(log, "\n")] = '\0';
-    ew_fail(error, EW_ERROR_SHADER, "the driver does not compile the %s shader: %s",
-            stage == GL_VERTEX_SHADER ? "vertex" : "fragment", log);
-    gl->DeleteShader(shader);
-    return 0;
+    return shader;
 }
 
-static GLuint compile_vertex_shader(const ew_gl *gl, unsigned key, ew_error *error)
+static GLuint compile_vertex_shader(const ew_gl *gl, unsigned key)
 {
     const char *strings[] = {version_of(gl, key), "#line 1 0\n", ew_glsl_quad_vert};
-    return compile(gl, GL_VERTEX_SHADER, 3, strings, error);
+    return compile(gl, GL_VERTEX_SHADER, 3, strings);
 }
 
-static GLuint compile_fragment_shader(const ew_gl *gl, size_t capacity, unsigned key, ew_error *error)
+static GLuint compile_fragment_shader(const ew_gl *gl, size_t capacity, unsigned key)
 {
     char header[MAX_HEADER_LENGTH];
     char lines[FRAGMENT_FILE_COUNT][24];
@@ -223,28 +219,7 @@ static GLuint compile_fragment_shader(const ew_gl *gl, size_t capacity, unsigned
         strings[count++] = lines[i];
         strings[count++] = fragment_files[i].text;
     }
-    return compile(gl, GL_FRAGMENT_SHADER, count, strings, error);
-}
-
-static ew_result link(const ew_gl *gl, GLuint vertex_shader, GLuint fragment_shader, GLuint *program, ew_error *error)
-{
-    GLuint linked = gl->CreateProgram();
-    gl->AttachShader(linked, vertex_shader);
-    gl->AttachShader(linked, fragment_shader);
-    gl->LinkProgram(linked);
-    gl->DetachShader(linked, vertex_shader);
-    gl->DetachShader(linked, fragment_shader);
-    GLint status = GL_FALSE;
-    gl->GetProgramiv(linked, GL_LINK_STATUS, &status);
-    if (!status) {
-        char log[160] = "";
-        gl->GetProgramInfoLog(linked, sizeof log, NULL, log);
-        log[strcspn(log, "\n")] = '\0';
-        gl->DeleteProgram(linked);
-        return ew_fail(error, EW_ERROR_SHADER, "the driver does not link the shaders: %s", log);
-    }
-    *program = linked;
-    return EW_OK;
+    return compile(gl, GL_FRAGMENT_SHADER, count, strings);
 }
 
 static void assign_bindings(const ew_gl *gl, GLuint program)
@@ -257,54 +232,81 @@ static void assign_bindings(const ew_gl *gl, GLuint program)
     }
 }
 
-static ew_result build(const ew_gl *gl, size_t capacity, unsigned key, GLuint *program, ew_error *error)
+ew_result ew_program_start(const ew_gl *gl, size_t capacity, unsigned key, ew_program *program, ew_error *error)
 {
-    GLuint vertex_shader = compile_vertex_shader(gl, key, error);
-    if (!vertex_shader) return EW_ERROR_SHADER;
-    GLuint fragment_shader = compile_fragment_shader(gl, capacity, key, error);
-    ew_result result = EW_ERROR_SHADER;
-    if (fragment_shader) result = link(gl, vertex_shader, fragment_shader, program, error);
-    gl->DeleteShader(vertex_shader);
-    gl->DeleteShader(fragment_shader);
-    if (result == EW_OK) assign_bindings(gl, *program);
-    return result;
-}
-
-/* Makes room for one more entry. */
-static ew_result grow(ew_program_cache *cache, const ew_allocator *allocator, ew_error *error)
-{
-    if (cache->count < cache->capacity) return EW_OK;
-    size_t capacity = cache->capacity > 0 ? 2 * cache->capacity : 8;
-    struct ew_cached_program *entries = allocator->allocate(allocator->user, capacity * sizeof *entries);
-    if (!entries) return ew_fail(error, EW_ERROR_OUT_OF_MEMORY, "no memory for %zu cached programs", capacity);
-    if (cache->entries) {
-        memcpy(entries, cache->entries, cache->count * sizeof *entries);
-        allocator->deallocate(allocator->user, cache->entries);
+    ew_program made = {
+        .name = gl->CreateProgram(),
+        .vertex_shader = compile_vertex_shader(gl, key),
+        .fragment_shader = compile_fragment_shader(gl, capacity, key),
+    };
+    if (!made.name || !made.vertex_shader || !made.fragment_shader) {
+        ew_program_destroy(gl, &made);
+        return ew_fail(error, EW_ERROR_SHADER, "the driver made no shader or program object: the context may be lost");
     }
-    cache->entries = entries;
-    cache->capacity = capacity;
+    gl->AttachShader(made.name, made.vertex_shader);
+    gl->AttachShader(made.name, made.fragment_shader);
+    gl->LinkProgram(made.name);
+    *program = made;
     return EW_OK;
 }
 
-ew_result ew_program_get(ew_program_cache *cache, const ew_gl *gl, size_t capacity, const ew_allocator *allocator, unsigned key,
-                         GLuint *program, ew_error *error)
+bool ew_program_is_complete(const ew_gl *gl, const ew_program *program)
 {
-    for (size_t i = 0; i < cache->count; ++i) {
-        if (cache->entries[i].key == key) {
-            *program = cache->entries[i].program;
-            return EW_OK;
-        }
-    }
-    ew_result result = grow(cache, allocator, error);
-    if (result == EW_OK) result = build(gl, capacity, key, program, error);
-    if (result == EW_OK) cache->entries[cache->count++] = (struct ew_cached_program){key, *program};
-    return result;
+    enum { COMPLETION_STATUS = 0x91B1 }; /* of KHR_ and ARB_parallel_shader_compile */
+    if (program->is_ready || !gl->parallel_shader_compile) return true;
+    GLint complete = GL_FALSE;
+    gl->GetProgramiv(program->name, COMPLETION_STATUS, &complete);
+    return complete;
 }
 
-void ew_program_cache_destroy(ew_program_cache *cache, const ew_gl *gl, const ew_allocator *allocator)
+static bool is_compiled(const ew_gl *gl, GLuint shader)
 {
-    for (size_t i = 0; i < cache->count; ++i)
-        gl->DeleteProgram(cache->entries[i].program);
-    if (cache->entries) allocator->deallocate(allocator->user, cache->entries);
-    *cache = (ew_program_cache){0};
+    GLint compiled = GL_FALSE;
+    gl->GetShaderiv(shader, GL_COMPILE_STATUS, &compiled);
+    return compiled;
+}
+
+/* Says why a program is not linked, in the words of whichever part of the driver failed first. */
+static ew_result fail_to_link(const ew_gl *gl, const ew_program *program, ew_error *error)
+{
+    char log[160] = "";
+    const char *failure = "does not link the shaders";
+    if (!is_compiled(gl, program->vertex_shader)) {
+        failure = "does not compile the vertex shader";
+        gl->GetShaderInfoLog(program->vertex_shader, sizeof log, NULL, log);
+    } else if (!is_compiled(gl, program->fragment_shader)) {
+        failure = "does not compile the fragment shader";
+        gl->GetShaderInfoLog(program->fragment_shader, sizeof log, NULL, log);
+    } else {
+        gl->GetProgramInfoLog(program->name, sizeof log, NULL, log);
+    }
+    log[strcspn(log, "\n")] = '\0';
+    return ew_fail(error, EW_ERROR_SHADER, "the driver %s: %s", failure, log);
+}
+
+ew_result ew_program_finish(const ew_gl *gl, ew_program *program, ew_error *error)
+{
+    if (program->is_ready) return EW_OK;
+    GLint linked = GL_FALSE;
+    gl->GetProgramiv(program->name, GL_LINK_STATUS, &linked);
+    if (!linked) {
+        ew_result result = fail_to_link(gl, program, error);
+        ew_program_destroy(gl, program);
+        return result;
+    }
+    gl->DetachShader(program->name, program->vertex_shader);
+    gl->DetachShader(program->name, program->fragment_shader);
+    gl->DeleteShader(program->vertex_shader);
+    gl->DeleteShader(program->fragment_shader);
+    *program = (ew_program){.name = program->name, .is_ready = true};
+    assign_bindings(gl, program->name);
+    return EW_OK;
+}
+
+void ew_program_destroy(const ew_gl *gl, ew_program *program)
+{
+    gl->DeleteProgram(program->name);
+    gl->DeleteShader(program->vertex_shader);
+    gl->DeleteShader(program->fragment_shader);
+    *program = (ew_program){0};
 }

@@ -1,4 +1,4 @@
-/* Shader permutations: only what a frame needs is compiled, and kept. */
+/* Shader permutations: only what a frame needs is compiled. */
 #ifndef EW_PROGRAM_H
 #define EW_PROGRAM_H
 
@@ -21,24 +21,30 @@ enum {
     EW_PROGRAM_MAX_UNROLLED = 4,
 };
 
-/* The programs compiled so far. */
-typedef struct ew_program_cache {
-    struct ew_cached_program {
-        unsigned key;
-        GLuint program;
-    } * entries;
-    size_t count;
-    size_t capacity;
-} ew_program_cache;
+/* The key of the program that draws `mix` as `frame` says. */
+unsigned ew_program_key(const ew_mix *mix, const ew_frame_desc *frame);
 
-/* The key of the program that draws `scene` as `frame` says. */
-unsigned ew_program_key(const ew_scene *scene, const ew_frame_desc *frame);
+/* Whether the program of `key` draws all that the one of `other` does, if slower. */
+bool ew_program_covers(unsigned key, unsigned other);
 
-/* Returns the program of `key` in `program`, compiled if the cache does not hold it, for a uniform block of `capacity` units of
- * sources. Changes the program in use. */
-ew_result ew_program_get(ew_program_cache *cache, const ew_gl *gl, size_t capacity, const ew_allocator *allocator, unsigned key,
-                         GLuint *program, ew_error *error);
+/* A program, with the shaders that it is made from as long as it is not ready. */
+typedef struct ew_program {
+    GLuint name;
+    GLuint vertex_shader;
+    GLuint fragment_shader;
+    bool is_ready;
+} ew_program;
 
-void ew_program_cache_destroy(ew_program_cache *cache, const ew_gl *gl, const ew_allocator *allocator);
+/* Starts to make the program of `key`, for a uniform block of `capacity` units of sources. */
+ew_result ew_program_start(const ew_gl *gl, size_t capacity, unsigned key, ew_program *program, ew_error *error);
+
+/* Whether ew_program_finish would not wait, as far as the driver can tell. */
+bool ew_program_is_complete(const ew_gl *gl, const ew_program *program);
+
+/* Makes a program that was started ready, waiting for the driver if need be; nothing if it is. A program that fails is
+ * destroyed. Changes the program in use. */
+ew_result ew_program_finish(const ew_gl *gl, ew_program *program, ew_error *error);
+
+void ew_program_destroy(const ew_gl *gl, ew_program *program);
 
 #endif

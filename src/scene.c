@@ -281,6 +281,13 @@ ew_result ew_scene_set(ew_scene *scene, const ew_sources_desc *sources, size_t c
     return EW_OK;
 }
 
+ew_mix ew_scene_mix(const ew_scene *scene)
+{
+    const ew_sources_desc *sources = &scene->sources;
+    return (ew_mix){sources->point_count, sources->line_count, sources->torus_count, sources->curve_count,
+                    scene->weight_piece_count > 0};
+}
+
 void ew_scene_destroy(ew_scene *scene, const ew_allocator *allocator)
 {
     if (scene->memory) allocator->deallocate(allocator->user, scene->memory);

@@ -29,6 +29,9 @@ size_t ew_scene_capacity(size_t block_size);
 ew_result ew_scene_set(ew_scene *scene, const ew_sources_desc *sources, size_t capacity, const ew_allocator *allocator,
                        ew_error *error);
 
+/* What the scene's sources are. */
+ew_mix ew_scene_mix(const ew_scene *scene);
+
 void ew_scene_destroy(ew_scene *scene, const ew_allocator *allocator);
 
 /* Checks what can be checked of a frame without GL. */

@@ -3,7 +3,7 @@
  * shader_text FOLDER. Names are PROFILE-KEY.frag and PROFILE.vert.
  */
 #include "allocator.h"
-#include "program.h"
+#include "program_cache.h"
 
 #include <stdio.h>
 #include <stdlib.h>

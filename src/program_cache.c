@@ -1,0 +1,103 @@
+/* Keeps programs: see program_cache.h. */
+#include "program_cache.h"
+
+#include "error.h"
+
+#include <string.h>
+
+static struct ew_cached_program *find(const ew_program_cache *cache, unsigned key)
+{
+    for (size_t i = 0; i < cache->count; ++i)
+        if (cache->entries[i].key == key) return &cache->entries[i];
+    return NULL;
+}
+
+static const struct ew_cached_program *find_ready(const ew_program_cache *cache, unsigned key)
+{
+    const struct ew_cached_program *general = NULL;
+    for (size_t i = 0; i < cache->count; ++i) {
+        const struct ew_cached_program *entry = &cache->entries[i];
+        if (!entry->program.is_ready) continue;
+        if (entry->key == key) return entry;
+        if (ew_program_covers(entry->key, key)) general = entry;
+    }
+    return general;
+}
+
+/* Makes room for one more entry. */
+static ew_result grow(ew_program_cache *cache, const ew_allocator *allocator, ew_error *error)
+{
+    if (cache->count < cache->capacity) return EW_OK;
+    size_t capacity = cache->capacity > 0 ? 2 * cache->capacity : 8;
+    struct ew_cached_program *entries = allocator->allocate(allocator->user, capacity * sizeof *entries);
+    if (!entries) return ew_fail(error, EW_ERROR_OUT_OF_MEMORY, "no memory for %zu cached programs", capacity);
+    if (cache->entries) {
+        memcpy(entries, cache->entries, cache->count * sizeof *entries);
+        allocator->deallocate(allocator->user, cache->entries);
+    }
+    cache->entries = entries;
+    cache->capacity = capacity;
+    return EW_OK;
+}
+
+/* Returns the entry of `key`, which is started if there is none. */
+static ew_result start(ew_program_cache *cache, const ew_gl *gl, size_t capacity, const ew_allocator *allocator, unsigned key,
+                       struct ew_cached_program **entry, ew_error *error)
+{
+    *entry = find(cache, key);
+    if (*entry) return EW_OK;
+    ew_result result = grow(cache, allocator, error);
+    if (result != EW_OK) return result;
+    struct ew_cached_program *made = &cache->entries[cache->count];
+    made->key = key;
+    result = ew_program_start(gl, capacity, key, &made->program, error);
+    if (result != EW_OK) return result;
+    cache->count++;
+    *entry = made;
+    return EW_OK;
+}
+
+/* Waits for the entry's program. An entry that fails leaves the cache. */
+static ew_result finish(ew_program_cache *cache, const ew_gl *gl, struct ew_cached_program *entry, GLuint *name,
+                        ew_error *error)
+{
+    ew_result result = ew_program_finish(gl, &entry->program, error);
+    if (result == EW_OK)
+        *name = entry->program.name;
+    else
+        *entry = cache->entries[--cache->count];
+    return result;
+}
+
+ew_result ew_program_prepare(ew_program_cache *cache, const ew_gl *gl, size_t capacity, const ew_allocator *allocator,
+                             unsigned key, GLuint *name, ew_error *error)
+{
+    struct ew_cached_program *entry;
+    ew_result result = start(cache, gl, capacity, allocator, key, &entry, error);
+    if (result != EW_OK) return result;
+    *name = 0;
+    if (!ew_program_is_complete(gl, &entry->program)) return EW_OK;
+    return finish(cache, gl, entry, name, error);
+}
+
+ew_result ew_program_get(ew_program_cache *cache, const ew_gl *gl, size_t capacity, const ew_allocator *allocator, unsigned key,
+                         GLuint *name, ew_error *error)
+{
+    const struct ew_cached_program *ready = find_ready(cache, key);
+    if (ready) {
+        *name = ready->program.name;
+        return EW_OK;
+    }
+    struct ew_cached_program *entry;
+    ew_result result = start(cache, gl, capacity, allocator, key, &entry, error);
+    if (result != EW_OK) return result;
+    return finish(cache, gl, entry, name, error);
+}
+
+void ew_program_cache_destroy(ew_program_cache *cache, const ew_gl *gl, const ew_allocator *allocator)
+{
+    for (size_t i = 0; i < cache->count; ++i)
+        ew_program_destroy(gl, &cache->entries[i].program);
+    if (cache->entries) allocator->deallocate(allocator->user, cache->entries);
+    *cache = (ew_program_cache){0};
+}
