@@ -467,14 +467,18 @@ static ew_frame_desc effect_frame(int context, const test_target *target)
     return frame;
 }
 
+/* The clean context draws without having prepared: so it would show if preparing left anything in the picture. */
 static void effect_draw(int context, const test_target *target)
 {
     const ew_frame_desc frame = effect_frame(context, target);
     ew_error error = {.text = ""};
+    int is_ready;
+    if (context == SCRAMBLED && ew_prepare(effects[context], NULL, &frame, &is_ready, &error) != EW_OK)
+        fail_msg("%s", error.text);
     if (ew_draw(effects[context], &frame, &error) != EW_OK) fail_msg("%s", error.text);
 }
 
-static void draw_leaves_all_state_and_the_picture_is_clean(void **unused)
+static void preparing_and_drawing_leave_all_state_and_the_picture_is_clean(void **unused)
 {
     (void)unused;
     static const test_subject subject = {effect_draw, effect_create, effect_destroy};
@@ -664,7 +668,7 @@ int main(int argc, char **argv)
 
         const struct CMUnitTest tests[] = {
             cmocka_unit_test(guard_restores_all_state_and_the_picture_is_clean),
-            cmocka_unit_test(draw_leaves_all_state_and_the_picture_is_clean),
+            cmocka_unit_test(preparing_and_drawing_leave_all_state_and_the_picture_is_clean),
             cmocka_unit_test(create_and_destroy_leave_all_state),
             cmocka_unit_test(failed_draws_leave_all_state),
             cmocka_unit_test(a_program_that_cannot_be_restored_is_refused),
