@@ -2,6 +2,7 @@
  * The comparison with the reference can fail: it finds the errors that a picture has. And its rays and depths are the camera's.
  */
 #include "comparison.h"
+#include "core_pixels.h"
 
 #include <math.h>
 #include <setjmp.h>
@@ -147,6 +148,44 @@ static void depths_are_the_cameras(void **state)
     assert_true(isinf(scene_rays_cast(&rays, 0.5, 0.5)));
 }
 
+static void places_are_seen_where_their_rays_are(void **state)
+{
+    (void)state;
+    const double place[] = {1.5, -2, -7};
+    double x, y, view_depth;
+    scene_rays_project(&rays, place, &x, &y, &view_depth);
+    assert_true(fabs(view_depth - 7) < 1e-14);
+    reference_ray ray = scene_rays_ray(&rays, x, y, HUGE_VAL);
+    for (int i = 0; i < 3; i++) /* 7 is half way from 2 to 12 */
+        assert_true(fabs(0.5 * (ray.start[i] + ray.end[i]) - place[i]) < 1e-14);
+}
+
+static void stored_depths_are_those_that_are_read(void **state)
+{
+    (void)state;
+    for (double view_depth = 1; view_depth < 21; view_depth += 0.7)
+        assert_true(fabs(scene_rays_stored_depth(&rays, (double)scene_rays_depth_to_store(&rays, view_depth)) - view_depth) <
+                    1e-6 * view_depth * view_depth);
+    assert_true(scene_rays_depth_to_store(&rays, HUGE_VAL) == 1);
+}
+
+/* The point is at (20, 20), 5 before the eye. */
+static void core_pixels_are_around_the_source(void **state)
+{
+    (void)state;
+    uint64_t random = 1;
+    int found = 0, close = 0;
+    for (int i = 0; i < 1000; i++) {
+        int x, y;
+        if (!random_core_pixel(&rays, &random, &x, &y)) continue;
+        assert_true(x >= 0 && x < SIDE && y >= 0 && y < SIDE);
+        found++;
+        close += abs(x - SIDE / 2) <= 4 && abs(y - SIDE / 2) <= 4;
+    }
+    assert_true(found > 500);
+    assert_true(close > found / 2);
+}
+
 static void a_depth_that_is_not_the_scenes_is_found(void **state)
 {
     (void)state;
@@ -169,6 +208,9 @@ int main(void)
         cmocka_unit_test(samples_hold_the_brightest_pixel),
         cmocka_unit_test(rays_are_the_cameras),
         cmocka_unit_test(depths_are_the_cameras),
+        cmocka_unit_test(places_are_seen_where_their_rays_are),
+        cmocka_unit_test(stored_depths_are_those_that_are_read),
+        cmocka_unit_test(core_pixels_are_around_the_source),
         cmocka_unit_test(a_depth_that_is_not_the_scenes_is_found),
     };
     return cmocka_run_group_tests_name("comparison", tests, create_truth, destroy_truth);

@@ -3,6 +3,7 @@
  */
 #include "comparison.h"
 #include "context.h"
+#include "named_integrator.h"
 #include "picture.h"
 #include "scene_rays.h"
 
@@ -34,13 +35,6 @@ static const char help[] =
     "\n"
     "Exit status: 0; 1 if a check failed; 2 for bad input; 77 if there is no such context.\n";
 
-typedef struct named_integrator {
-    char name[24];
-    render_settings settings;
-    double largest_error; /* that it promises; infinite for Simpson's rule */
-    double percentile_99;
-} named_integrator;
-
 typedef struct command_line {
     named_integrator integrators[MAX_INTEGRATORS];
     size_t integrator_count;
@@ -70,35 +64,12 @@ typedef struct accuracy_results {
 /* ---- The command line -----------------------------------------------------------------------------------------------------
  */
 
-static bool read_integrator(const char *name, named_integrator *result)
-{
-    static const named_integrator adaptive[] = {
-        {"adaptive:1e-2", {.quality = EW_QUALITY_ERROR_1E_2}, 1e-2, HUGE_VAL},
-        {"adaptive:1e-3", {.quality = EW_QUALITY_ERROR_1E_3}, 1e-3, 1e-4},
-        {"adaptive:1e-4", {.quality = EW_QUALITY_ERROR_1E_4}, 1e-4, HUGE_VAL},
-    };
-    for (size_t i = 0; i < sizeof adaptive / sizeof *adaptive; i++)
-        if (strcmp(name, adaptive[i].name) == 0) {
-            *result = adaptive[i];
-            result->settings.integrator = EW_INTEGRATOR_ADAPTIVE;
-            return true;
-        }
-    int divisions = 0, end = 0;
-    if (sscanf(name, "simpson:%4d%n", &divisions, &end) != 1 || name[end] != '\0') return false;
-    if (divisions < 2 || divisions > EW_MAX_SIMPSON_DIVISIONS || divisions % 2 != 0) return false;
-    *result = (named_integrator){.settings = {.integrator = EW_INTEGRATOR_SIMPSON, .simpson_divisions = divisions},
-                                 .largest_error = HUGE_VAL,
-                                 .percentile_99 = HUGE_VAL};
-    snprintf(result->name, sizeof result->name, "%s", name);
-    return true;
-}
-
 static bool read_integrators(char *list, command_line *options)
 {
     options->integrator_count = 0;
     for (char *name = strtok(list, ","); name; name = strtok(NULL, ","))
         if (options->integrator_count == MAX_INTEGRATORS ||
-            !read_integrator(name, &options->integrators[options->integrator_count++]))
+            !named_integrator_find(name, &options->integrators[options->integrator_count++]))
             return false;
     return options->integrator_count > 0;
 }
@@ -295,7 +266,8 @@ static bool draw_pictures(const command_line *options, gl_context *context, comp
         char reason[300];
         named_integrator integrator = options->integrators[compared->picture_count % options->integrator_count];
         if (compared->picture_count == options->integrator_count)
-            read_integrator(strcmp(integrator.name, "adaptive:1e-4") == 0 ? "adaptive:1e-3" : "adaptive:1e-4", &integrator);
+            named_integrator_find(strcmp(integrator.name, "adaptive:1e-4") == 0 ? "adaptive:1e-3" : "adaptive:1e-4",
+                                  &integrator);
         integrator.settings.width = options->width;
         integrator.settings.height = options->height;
         if (!picture_draw(context, &compared->scene, &integrator.settings, &compared->pictures[compared->picture_count], reason,
@@ -363,7 +335,7 @@ int main(int argc, char **argv)
     char message[600];
     /* Mesa's EGL would add lines of its own to the one that says why there is no context. */
     setenv("EGL_LOG_LEVEL", "fatal", 0);
-    read_integrator("adaptive:1e-3", &options.integrators[0]);
+    named_integrator_find("adaptive:1e-3", &options.integrators[0]);
     if (!read_options(argc, argv, &options)) return EXIT_BAD_INPUT;
     gl_context *context = context_create(options.backend, message, sizeof message);
     if (!context) {
