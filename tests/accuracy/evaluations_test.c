@@ -1,0 +1,116 @@
+/*
+ * How often the shader evaluates distances, a loss of efficiency that no picture shows:
+ *
+ *     evaluations_test SHARE SCENE.json...
+ *
+ * Averaged over a picture, a scene may cost one evaluation for each of its points and lines, which have closed forms, and for
+ * each torus and curve SHARE of the 201 that the published method takes (Simpson's rule with 200 divisions). And a better
+ * quality never costs less.
+ *
+ * Exit status: 0; 1 for a scene that costs more; 2 for bad input; 77 if there is no context.
+ */
+#include "context.h"
+#include "field_drawer.h"
+#include "scene_file.h"
+#include "scene_rays.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { EXIT_WRONG = 1, EXIT_BAD_INPUT = 2, EXIT_NO_CONTEXT = 77 };
+enum { SIDE = 64, PIXEL_COUNT = SIDE * SIDE, SIMPSON = 201 };
+
+typedef struct quality_counts {
+    double mean[3]; /* by ew_quality */
+} quality_counts;
+
+static bool count_evaluations(field_drawer *drawer, const ew_scene *scene, const scene_rays *rays, quality_counts *counts,
+                              ew_error *error)
+{
+    static float depth[PIXEL_COUNT], evaluations[PIXEL_COUNT];
+    for (int i = 0; i < PIXEL_COUNT; i++)
+        depth[i] = scene_rays_depth_to_store(rays, scene_rays_cast(rays, i % SIDE + 0.5, i / SIDE + 0.5));
+    for (int quality = EW_QUALITY_ERROR_1E_2; quality <= EW_QUALITY_ERROR_1E_4; quality++) {
+        render_settings settings = {
+            .width = SIDE, .height = SIDE, .integrator = EW_INTEGRATOR_ADAPTIVE, .quality = (ew_quality)quality};
+        ew_frame_desc frame = render_frame(scene, &settings, &drawer->target);
+        frame.output = EW_OUTPUT_EVALUATIONS;
+        if (!field_drawer_draw(drawer, &scene->sources, &frame, depth, evaluations, error)) return false;
+        double sum = 0;
+        for (int i = 0; i < PIXEL_COUNT; i++)
+            sum += (double)evaluations[i];
+        counts->mean[quality] = sum / PIXEL_COUNT;
+    }
+    return true;
+}
+
+static bool report(const char *path, const ew_sources_desc *sources, double share, const quality_counts *counts)
+{
+    const char *slash = strrchr(path, '/');
+    const double *mean = counts->mean;
+    double closed = (double)(sources->point_count + sources->line_count);
+    double other = (double)(sources->torus_count + sources->curve_count), most = closed + share * SIMPSON * other;
+    bool ok = mean[EW_QUALITY_ERROR_1E_3] <= most && mean[EW_QUALITY_ERROR_1E_2] <= mean[EW_QUALITY_ERROR_1E_3] &&
+              mean[EW_QUALITY_ERROR_1E_3] <= mean[EW_QUALITY_ERROR_1E_4];
+    printf("%-44s %7.1f evaluations a pixel, %7.1f allowed (1e-2: %.1f, 1e-4: %.1f)%s\n", slash ? slash + 1 : path,
+           mean[EW_QUALITY_ERROR_1E_3], most, mean[EW_QUALITY_ERROR_1E_2], mean[EW_QUALITY_ERROR_1E_4], ok ? "" : "  WRONG");
+    return ok;
+}
+
+static bool check_scene(field_drawer *drawer, const char *path, double share, bool *wrong)
+{
+    char message[400];
+    ew_scene scene;
+    scene_rays rays;
+    ew_error error = {EW_ERROR_OUT_OF_MEMORY, "memory is exhausted"};
+    quality_counts counts;
+    if (!scene_load(path, &scene, message, sizeof message)) {
+        fprintf(stderr, "evaluations_test: %s\n", message);
+        return false;
+    }
+    bool ok = scene_rays_create(&scene, SIDE, SIDE, &rays);
+    if (ok) {
+        ok = count_evaluations(drawer, &scene, &rays, &counts, &error);
+        scene_rays_free(&rays);
+    }
+    if (ok)
+        *wrong = !report(path, &scene.sources, share, &counts) || *wrong;
+    else
+        fprintf(stderr, "evaluations_test: %s: %s\n", path, error.text);
+    scene_free(&scene);
+    return ok;
+}
+
+int main(int argc, char **argv)
+{
+    char message[400];
+    ew_effect *effect;
+    ew_error error;
+    field_drawer drawer;
+    double share = argc > 1 ? strtod(argv[1], NULL) : 0;
+    bool wrong = false;
+    setenv("EGL_LOG_LEVEL", "fatal", 0);
+    if (argc < 3 || !(share > 0)) {
+        fprintf(stderr, "evaluations_test: give a share and scenes\n");
+        return EXIT_BAD_INPUT;
+    }
+    gl_context *context = context_create(CONTEXT_EGL, message, sizeof message);
+    if (!context) {
+        printf("SKIPPED: %s\n", message);
+        return EXIT_NO_CONTEXT;
+    }
+    ew_effect_desc desc = {.get_proc_address = context_get_proc_address, .user = context};
+    bool ok = !ew_create_effect(&desc, &effect, &error);
+    if (!ok) fprintf(stderr, "evaluations_test: %s\n", error.text);
+    if (ok) {
+        ok = field_drawer_create(context, effect, SIDE, SIDE, &drawer, message, sizeof message);
+        if (!ok) fprintf(stderr, "evaluations_test: %s\n", message);
+        for (int i = 2; ok && i < argc; i++)
+            ok = check_scene(&drawer, argv[i], share, &wrong);
+        if (ok) field_drawer_destroy(&drawer);
+        ew_destroy_effect(effect);
+    }
+    context_destroy(context);
+    return !ok ? EXIT_BAD_INPUT : wrong ? EXIT_WRONG : EXIT_SUCCESS;
+}
