@@ -17,24 +17,33 @@
 
 enum { WIDTH = 12, HEIGHT = 10, VALUES = 4 * WIDTH * HEIGHT, DEFAULT_COUNT = 10000, SKIPPED = 77 };
 
-static const source_mix mixes[] = {
-    {1, 0, 0, 0, false, false, EW_INTEGRATOR_ADAPTIVE, EW_OUTPUT_LERP},
-    {0, 1, 0, 0, false, false, EW_INTEGRATOR_ADAPTIVE, EW_OUTPUT_LERP},
-    {0, 0, 1, 0, false, false, EW_INTEGRATOR_ADAPTIVE, EW_OUTPUT_LUMINANCE},
-    {0, 0, 0, 1, false, false, EW_INTEGRATOR_ADAPTIVE, EW_OUTPUT_LUMINANCE},
-    {0, 0, 0, 1, true, true, EW_INTEGRATOR_ADAPTIVE, EW_OUTPUT_LUMINANCE},
-    {3, 2, 0, 0, false, true, EW_INTEGRATOR_ADAPTIVE, EW_OUTPUT_LUMINANCE},
-    {7, 6, 5, 5, true, true, EW_INTEGRATOR_ADAPTIVE, EW_OUTPUT_ADD},
-    {5, 5, 5, 5, false, false, EW_INTEGRATOR_ADAPTIVE, EW_OUTPUT_EVALUATIONS},
-    {5, 5, 5, 5, true, true, EW_INTEGRATOR_SIMPSON, EW_OUTPUT_LERP},
-    {0, 0, 0, 0, false, true, EW_INTEGRATOR_ADAPTIVE, EW_OUTPUT_LERP},
+static const shader_mix mixes[] = {
+    {.points = 1},
+    {.lines = 1, .depth = DEPTH_FRAMEBUFFER},
+    {.tori = 1, .output = EW_OUTPUT_LUMINANCE},
+    {.curves = 1, .output = EW_OUTPUT_LUMINANCE},
+    {.curves = 1, .weighted = true, .output = EW_OUTPUT_LUMINANCE, .depth = DEPTH_TEXTURE},
+    {.points = 3, .lines = 2, .output = EW_OUTPUT_LUMINANCE, .depth = DEPTH_MULTISAMPLE},
+    {.points = 7, .lines = 6, .tori = 5, .curves = 5, .weighted = true, .output = EW_OUTPUT_ADD, .depth = DEPTH_TEXTURE},
+    {.points = 5, .lines = 5, .tori = 5, .curves = 5, .output = EW_OUTPUT_EVALUATIONS, .encoding = EW_ENCODING_FLOAT},
+    {.points = 5,
+     .lines = 5,
+     .tori = 5,
+     .curves = 5,
+     .weighted = true,
+     .integrator = EW_INTEGRATOR_SIMPSON,
+     .depth = DEPTH_TEXTURE},
+    {.depth = DEPTH_TEXTURE},
+    {.lines = 1, .dither = true},
+    {.points = 1, .dither = true, .encoding = EW_ENCODING_SRGB_8BIT},
 };
 enum { MIX_COUNT = sizeof mixes / sizeof mixes[0] };
 
 typedef struct fuzzer {
     const gl_functions *gl;
     ew_effect *effect;
-    GLuint framebuffer, color_texture, depth_texture, incomplete_framebuffer;
+    GLuint framebuffer, depth_framebuffer, incomplete_framebuffer; /* the second has a depth of its own, the last nothing */
+    GLuint color_texture, depth_texture, attached_texture, multisample_texture, cube_texture;
     uint64_t number; /* of the case */
     uint64_t random;
     size_t drawn, refused;
@@ -55,39 +64,80 @@ static void require(const fuzzer *f, bool condition, const char *what)
 
 /* ---- GL ----------------------------------------------------------------------------------------------------------------- */
 
-static void create_objects(fuzzer *f)
+static GLuint create_texture(const gl_functions *gl, GLenum target)
+{
+    GLuint texture;
+    gl->GenTextures(1, &texture);
+    gl->BindTexture(target, texture);
+    return texture;
+}
+
+static GLuint create_framebuffer(const gl_functions *gl, GLenum target, GLuint color, GLuint depth)
+{
+    GLuint framebuffer;
+    gl->GenFramebuffers(1, &framebuffer);
+    gl->BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    gl->FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, target, color, 0);
+    gl->FramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, target, depth, 0);
+    return framebuffer;
+}
+
+static void put_depths(const gl_functions *gl, GLuint texture, const float depths[WIDTH * HEIGHT])
+{
+    gl->BindTexture(GL_TEXTURE_2D, texture);
+    gl->TexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT32F, WIDTH, HEIGHT, 0, GL_DEPTH_COMPONENT, GL_FLOAT, depths);
+}
+
+static void put_background(const fuzzer *f)
+{
+    f->gl->BindTexture(GL_TEXTURE_2D, f->color_texture);
+    f->gl->TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, WIDTH, HEIGHT, 0, GL_RGBA, GL_FLOAT, f->before);
+}
+
+static void create_objects(fuzzer *f, gl_context *context)
 {
     const gl_functions *gl = f->gl;
-    gl->GenTextures(1, &f->color_texture);
-    gl->BindTexture(GL_TEXTURE_2D, f->color_texture);
-    gl->TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, WIDTH, HEIGHT, 0, GL_RGBA, GL_FLOAT, NULL);
-    gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
-    gl->GenTextures(1, &f->depth_texture);
-    gl->GenFramebuffers(1, &f->incomplete_framebuffer);
-    gl->BindFramebuffer(GL_FRAMEBUFFER, f->incomplete_framebuffer);
-    gl->GenFramebuffers(1, &f->framebuffer);
-    gl->BindFramebuffer(GL_FRAMEBUFFER, f->framebuffer);
-    gl->FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, f->color_texture, 0);
+    PFNGLTEXIMAGE2DMULTISAMPLEPROC tex_image_2d_multisample =
+        (PFNGLTEXIMAGE2DMULTISAMPLEPROC)context_get_proc_address(context, "glTexImage2DMultisample");
+    f->color_texture = create_texture(gl, GL_TEXTURE_2D);
+    put_background(f);
+    f->depth_texture = create_texture(gl, GL_TEXTURE_2D);
+    f->attached_texture = create_texture(gl, GL_TEXTURE_2D);
+    put_depths(gl, f->attached_texture, NULL);
+    f->cube_texture = create_texture(gl, GL_TEXTURE_CUBE_MAP);
+    f->multisample_texture = create_texture(gl, GL_TEXTURE_2D_MULTISAMPLE);
+    tex_image_2d_multisample(GL_TEXTURE_2D_MULTISAMPLE, 4, GL_DEPTH_COMPONENT24, WIDTH, HEIGHT, GL_TRUE);
+    create_framebuffer(gl, GL_TEXTURE_2D_MULTISAMPLE, 0, f->multisample_texture);
+    gl->ClearBufferfv(GL_DEPTH, 0, &(float){0.75f});
+    f->incomplete_framebuffer = create_framebuffer(gl, GL_TEXTURE_2D, 0, 0);
+    f->framebuffer = create_framebuffer(gl, GL_TEXTURE_2D, f->color_texture, 0);
+    f->depth_framebuffer = create_framebuffer(gl, GL_TEXTURE_2D, f->color_texture, f->attached_texture);
 }
 
 /* A background that is not the same everywhere, and depths with the nearest and the farthest among them. */
 static void fill_target(fuzzer *f)
 {
-    const gl_functions *gl = f->gl;
     float depths[WIDTH * HEIGHT];
     for (int i = 0; i < VALUES; i++)
         f->before[i] = (float)(4 * random_unit(&f->random));
-    for (int i = 0; i < WIDTH * HEIGHT; i++) {
-        double shift = random_unit(&f->random) * 3 - 1;
-        depths[i] = (float)fmin(fmax(shift, 0), 1);
-    }
-    gl->BindTexture(GL_TEXTURE_2D, f->depth_texture);
-    gl->TexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT32F, WIDTH, HEIGHT, 0, GL_DEPTH_COMPONENT, GL_FLOAT, depths);
-    gl->BindTexture(GL_TEXTURE_2D, 0);
+    for (int i = 0; i < WIDTH * HEIGHT; i++)
+        depths[i] = (float)fmin(fmax(random_unit(&f->random) * 3 - 1, 0), 1);
+    put_depths(f->gl, f->depth_texture, depths);
+    put_depths(f->gl, f->attached_texture, depths);
+}
+
+static void choose_target(const fuzzer *f, target_depth depth, ew_frame_desc *frame)
+{
+    frame->framebuffer = depth == DEPTH_FRAMEBUFFER ? f->depth_framebuffer : f->framebuffer;
+    frame->depth_source = depth == DEPTH_FRAMEBUFFER   ? EW_DEPTH_FRAMEBUFFER
+                          : depth == DEPTH_MULTISAMPLE ? EW_DEPTH_TEXTURE_MULTISAMPLE
+                                                       : EW_DEPTH_TEXTURE;
+    frame->depth_texture = depth == DEPTH_TEXTURE ? f->depth_texture : depth == DEPTH_MULTISAMPLE ? f->multisample_texture : 0;
 }
 
 static void read_target(const fuzzer *f, float values[VALUES])
 {
+    f->gl->BindFramebuffer(GL_FRAMEBUFFER, f->framebuffer);
     f->gl->ReadPixels(0, 0, WIDTH, HEIGHT, GL_RGBA, GL_FLOAT, values);
 }
 
@@ -151,9 +201,7 @@ static ew_result draw(fuzzer *f, const ew_frame_desc *frame)
     ew_error error, untouched;
     memset(&error, 0x55, sizeof error);
     untouched = error;
-    f->gl->BindTexture(GL_TEXTURE_2D, f->color_texture);
-    f->gl->TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, WIDTH, HEIGHT, 0, GL_RGBA, GL_FLOAT, f->before);
-    f->gl->BindTexture(GL_TEXTURE_2D, 0);
+    put_background(f);
     ew_result result = ew_draw(f->effect, frame, &error);
     check_error(f, result, &error, &untouched);
     read_target(f, f->after);
@@ -183,26 +231,29 @@ static void try_sources(fuzzer *f, const random_desc *desc, const ew_sources_des
     }
 }
 
+/* A framebuffer or a texture that is not there, not complete, of another kind or in use. */
 static void spoil_target(fuzzer *f, ew_frame_desc *frame)
 {
     const GLuint framebuffers[] = {0, f->incomplete_framebuffer, 4000000000u, 12345};
-    const GLuint textures[] = {4000000000u, 12345};
-    if (frame->depth_texture && random_index(&f->random, 2) == 0)
-        frame->depth_texture = textures[random_index(&f->random, 2)];
-    else
+    const GLuint textures[] = {
+        f->cube_texture, f->multisample_texture, f->depth_texture, f->attached_texture, 4000000000u, 12345};
+    if (frame->depth_texture && random_index(&f->random, 2) == 0) {
+        frame->depth_texture = textures[random_index(&f->random, 6)];
+        frame->framebuffer = f->depth_framebuffer;
+    } else {
         frame->framebuffer = framebuffers[random_index(&f->random, 4)];
+    }
 }
 
 static void run_case(fuzzer *f)
 {
     f->random = f->number;
-    const source_mix *mix = &mixes[random_index(&f->random, MIX_COUNT)];
+    const shader_mix *mix = &mixes[random_index(&f->random, MIX_COUNT)];
     bool extreme = random_index(&f->random, 2) == 0;
     random_desc desc;
     fill_target(f);
-    desc.frame.framebuffer = f->framebuffer;
-    desc.frame.depth_texture = mix->depth ? f->depth_texture : 0;
     random_desc_make(&desc, mix, extreme, WIDTH, HEIGHT, &f->random);
+    choose_target(f, mix->depth, &desc.frame);
 
     bool drawable = set_sources(f, &desc.sources) == EW_OK && draw(f, &desc.frame) == EW_OK;
     require(f, drawable || extreme, "an ordinary scene is refused");
@@ -260,7 +311,7 @@ int main(int argc, char **argv)
         fprintf(stderr, "%s\n", error.text);
         return EXIT_FAILURE;
     }
-    create_objects(&f);
+    create_objects(&f, context);
     for (f.number = first; f.number < first + count; f.number++)
         run_case(&f);
     require(&f, was_cut || f.drawn == 0, "the shaders do not cut the integral in these words: see telling_shader_source");

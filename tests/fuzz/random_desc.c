@@ -132,7 +132,7 @@ static void random_arc(const place *at, ew_curve *curve)
     }
 }
 
-static void random_sources(random_desc *desc, const source_mix *mix, const place *at)
+static void random_sources(random_desc *desc, const shader_mix *mix, const place *at)
 {
     uint64_t *random = at->random;
     double length = at->end - at->start;
@@ -228,14 +228,11 @@ static void random_projection(place *at, ew_frame_desc *frame, double aspect)
     at->size[1] = parallel ? half : 0;
 }
 
-void random_desc_make(random_desc *desc, const source_mix *mix, bool extreme, int width, int height, uint64_t *random)
+void random_desc_make(random_desc *desc, const shader_mix *mix, bool extreme, int width, int height, uint64_t *random)
 {
     place at = {.random = random, .extreme = extreme};
     ew_frame_desc *frame = &desc->frame;
-    unsigned framebuffer = frame->framebuffer, depth_texture = frame->depth_texture;
     *frame = (ew_frame_desc)EW_FRAME_DEFAULTS;
-    frame->framebuffer = framebuffer;
-    frame->depth_texture = depth_texture;
     double scale = extreme ? magnitude(random, -5, 5) : 1;
     at.start = scale * (extreme ? magnitude(random, -4, 1) : between(random, 0.1, 5));
     at.end = at.start * (1 + (extreme ? magnitude(random, -3, 4) : between(random, 0.5, 10)));
@@ -249,6 +246,9 @@ void random_desc_make(random_desc *desc, const source_mix *mix, bool extreme, in
     frame->quality = (ew_quality)random_index(random, 3);
     frame->simpson_divisions = 2 * (int)magnitude(random, 0, 2);
     frame->output = mix->output;
+    frame->encoding = mix->encoding;
+    frame->dither = mix->dither;
+    frame->skip_restore = chance(random, 0.2);
     frame->viewport_width = width;
     frame->viewport_height = height;
     random_sources(desc, mix, &at);
@@ -389,7 +389,7 @@ void spoil_frame_integer(random_desc *desc, uint64_t *random)
     static const int integers[] = {-1, 99, INT_MAX, INT_MIN, 255, 0x7fc00000};
     ew_frame_desc *frame = &desc->frame;
     int integer = integers[random_index(random, COUNT(integers))];
-    switch (random_index(random, 9)) {
+    switch (random_index(random, 11)) {
     case 0:
         frame->clip_depth = (ew_clip_depth)integer;
         break;
@@ -413,6 +413,12 @@ void spoil_frame_integer(random_desc *desc, uint64_t *random)
         break;
     case 7:
         frame->viewport_width = integer;
+        break;
+    case 8:
+        frame->encoding = (ew_encoding)integer;
+        break;
+    case 9:
+        frame->depth_source = (ew_depth_source)integer;
         break;
     default:
         frame->viewport_height = integer;

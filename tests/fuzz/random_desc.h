@@ -10,14 +10,18 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+typedef enum target_depth { NO_DEPTH, DEPTH_TEXTURE, DEPTH_MULTISAMPLE, DEPTH_FRAMEBUFFER } target_depth;
+
 /* What decides about the shader, which takes long to compile: so there are few of them. */
-typedef struct source_mix {
+typedef struct shader_mix {
     size_t points, lines, tori, curves;
     bool weighted;
-    bool depth;
     ew_integrator integrator;
     ew_output output;
-} source_mix;
+    target_depth depth;
+    bool dither;
+    ew_encoding encoding;
+} shader_mix;
 
 enum { MAX_KIND = 8, MAX_WEIGHTS = 6 };
 
@@ -34,8 +38,8 @@ typedef struct random_desc {
 
 /* The ordinary are what a host would ask for, at a scale of 1. The extreme go to the ends of the ranges that energywave.h
  * promises, and degenerate: sources at the eye, at the interval's ends, coincident control points, rings of radius 0. The
- * library may refuse them, where a combination goes too far. The targets are left alone. */
-void random_desc_make(random_desc *desc, const source_mix *mix, bool extreme, int width, int height, uint64_t *random);
+ * library may refuse them, where a combination goes too far. Neither names a target or a depth. */
+void random_desc_make(random_desc *desc, const shader_mix *mix, bool extreme, int width, int height, uint64_t *random);
 
 /* One number, the one of them that `random` picks, becomes a hostile one: not a number, infinite, denormal, huge ... */
 void spoil_source_number(random_desc *desc, uint64_t *random);
