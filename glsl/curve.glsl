@@ -38,7 +38,8 @@ vec2 ew_distance_minima(float cubic, float quadratic, float linear, float consta
         float value = ((cubic * tau + b) * tau + linear) * tau - constant;
         float slope = (3.0 * cubic * tau + 2.0 * b) * tau + linear;
         float curvature = 3.0 * cubic * tau + b;
-        tau -= value * slope / max(slope * slope - value * curvature, 1e-37);
+        // No more than two steps of Newton's method: where the quadratic term is not 0, the start may be anywhere.
+        tau -= value * slope / max(slope * slope - value * curvature, 0.5 * slope * slope + 1e-37);
     }
     float discriminant = -3.0 * cubic * tau * tau - 4.0 * linear;
     float other = discriminant > 0.0 ? -0.5 * (tau + sqrt(discriminant / max(cubic, 1e-30))) : tau;
