@@ -24,15 +24,16 @@
     X(PFNGLBINDVERTEXARRAYPROC, BindVertexArray, 0, "")                                                                        \
     X(PFNGLBLENDCOLORPROC, BlendColor, 0, "")                                                                                  \
     X(PFNGLBLENDEQUATIONPROC, BlendEquation, 0, "")                                                                            \
-    X(PFNGLBLENDEQUATIONIPROC, BlendEquationi, 32, "OES")                                                                      \
     X(PFNGLBLENDEQUATIONSEPARATEPROC, BlendEquationSeparate, 0, "")                                                            \
     X(PFNGLBLENDEQUATIONSEPARATEIPROC, BlendEquationSeparatei, 32, "OES")                                                      \
+    X(PFNGLBLENDEQUATIONIPROC, BlendEquationi, 32, "OES")                                                                      \
     X(PFNGLBLENDFUNCSEPARATEPROC, BlendFuncSeparate, 0, "")                                                                    \
     X(PFNGLBLENDFUNCSEPARATEIPROC, BlendFuncSeparatei, 32, "OES")                                                              \
     X(PFNGLBLITFRAMEBUFFERPROC, BlitFramebuffer, 0, "")                                                                        \
     X(PFNGLBUFFERDATAPROC, BufferData, 0, "")                                                                                  \
     X(PFNGLCHECKFRAMEBUFFERSTATUSPROC, CheckFramebufferStatus, 0, "")                                                          \
     X(PFNGLCLAMPCOLORPROC, ClampColor, 0, "")                                                                                  \
+    X(PFNGLCLEARPROC, Clear, 0, "")                                                                                            \
     X(PFNGLCLEARBUFFERFIPROC, ClearBufferfi, 0, "")                                                                            \
     X(PFNGLCLEARBUFFERFVPROC, ClearBufferfv, 0, "")                                                                            \
     X(PFNGLCLEARCOLORPROC, ClearColor, 0, "")                                                                                  \
@@ -47,27 +48,30 @@
     X(PFNGLCULLFACEPROC, CullFace, 0, "")                                                                                      \
     X(PFNGLDEBUGMESSAGECALLBACKPROC, DebugMessageCallback, 32, "KHR")                                                          \
     X(PFNGLDELETEBUFFERSPROC, DeleteBuffers, 0, "")                                                                            \
+    X(PFNGLDELETEFRAMEBUFFERSPROC, DeleteFramebuffers, 0, "")                                                                  \
     X(PFNGLDELETEPROGRAMPROC, DeleteProgram, 0, "")                                                                            \
+    X(PFNGLDELETERENDERBUFFERSPROC, DeleteRenderbuffers, 0, "")                                                                \
     X(PFNGLDELETESAMPLERSPROC, DeleteSamplers, 0, "")                                                                          \
     X(PFNGLDELETESHADERPROC, DeleteShader, 0, "")                                                                              \
     X(PFNGLDELETETEXTURESPROC, DeleteTextures, 0, "")                                                                          \
     X(PFNGLDELETEVERTEXARRAYSPROC, DeleteVertexArrays, 0, "")                                                                  \
     X(PFNGLDEPTHFUNCPROC, DepthFunc, 0, "")                                                                                    \
     X(PFNGLDEPTHMASKPROC, DepthMask, 0, "")                                                                                    \
-    X(PFNGLDEPTHRANGEFPROC, DepthRangef, 0, "")                                                                                \
     X(PFNGLDEPTHRANGEINDEXEDPROC, DepthRangeIndexed, 0, "")                                                                    \
+    X(PFNGLDEPTHRANGEFPROC, DepthRangef, 0, "")                                                                                \
     X(PFNGLDISABLEPROC, Disable, 0, "")                                                                                        \
-    X(PFNGLDISABLEIPROC, Disablei, 32, "OES")                                                                                  \
     X(PFNGLDISABLEVERTEXATTRIBARRAYPROC, DisableVertexAttribArray, 0, "")                                                      \
+    X(PFNGLDISABLEIPROC, Disablei, 32, "OES")                                                                                  \
     X(PFNGLDRAWARRAYSPROC, DrawArrays, 0, "")                                                                                  \
     X(PFNGLDRAWBUFFERSPROC, DrawBuffers, 0, "")                                                                                \
     X(PFNGLENABLEPROC, Enable, 0, "")                                                                                          \
-    X(PFNGLENABLEIPROC, Enablei, 32, "OES")                                                                                    \
     X(PFNGLENABLEVERTEXATTRIBARRAYPROC, EnableVertexAttribArray, 0, "")                                                        \
+    X(PFNGLENABLEIPROC, Enablei, 32, "OES")                                                                                    \
     X(PFNGLENDQUERYPROC, EndQuery, 0, "")                                                                                      \
     X(PFNGLENDTRANSFORMFEEDBACKPROC, EndTransformFeedback, 0, "")                                                              \
     X(PFNGLFINISHPROC, Finish, 0, "")                                                                                          \
     X(PFNGLFRAMEBUFFERRENDERBUFFERPROC, FramebufferRenderbuffer, 0, "")                                                        \
+    X(PFNGLFRAMEBUFFERTEXTURE2DPROC, FramebufferTexture2D, 0, "")                                                              \
     X(PFNGLFRONTFACEPROC, FrontFace, 0, "")                                                                                    \
     X(PFNGLGENBUFFERSPROC, GenBuffers, 0, "")                                                                                  \
     X(PFNGLGENFRAMEBUFFERSPROC, GenFramebuffers, 0, "")                                                                        \
@@ -88,11 +92,12 @@
     X(PFNGLGETINTEGERVPROC, GetIntegerv, 0, "")                                                                                \
     X(PFNGLGETPROGRAMINFOLOGPROC, GetProgramInfoLog, 0, "")                                                                    \
     X(PFNGLGETPROGRAMIVPROC, GetProgramiv, 0, "")                                                                              \
-    X(PFNGLGETQUERYIVPROC, GetQueryiv, 0, "")                                                                                  \
     X(PFNGLGETQUERYOBJECTUIVPROC, GetQueryObjectuiv, 0, "")                                                                    \
+    X(PFNGLGETQUERYIVPROC, GetQueryiv, 0, "")                                                                                  \
     X(PFNGLGETSAMPLERPARAMETERIVPROC, GetSamplerParameteriv, 0, "")                                                            \
     X(PFNGLGETSTRINGPROC, GetString, 0, "")                                                                                    \
     X(PFNGLGETSTRINGIPROC, GetStringi, 0, "")                                                                                  \
+    X(PFNGLGETTEXPARAMETERIVPROC, GetTexParameteriv, 0, "")                                                                    \
     X(PFNGLGETUNIFORMBLOCKINDEXPROC, GetUniformBlockIndex, 0, "")                                                              \
     X(PFNGLGETUNIFORMLOCATIONPROC, GetUniformLocation, 0, "")                                                                  \
     X(PFNGLGETVERTEXATTRIBFVPROC, GetVertexAttribfv, 0, "")                                                                    \
@@ -130,9 +135,13 @@
     X(PFNGLSTENCILMASKSEPARATEPROC, StencilMaskSeparate, 0, "")                                                                \
     X(PFNGLSTENCILOPSEPARATEPROC, StencilOpSeparate, 0, "")                                                                    \
     X(PFNGLTEXIMAGE2DPROC, TexImage2D, 0, "")                                                                                  \
+    X(PFNGLTEXIMAGE2DMULTISAMPLEPROC, TexImage2DMultisample, 0, "")                                                            \
     X(PFNGLTEXPARAMETERIPROC, TexParameteri, 0, "")                                                                            \
+    X(PFNGLTEXSTORAGE2DMULTISAMPLEPROC, TexStorage2DMultisample, 0, "")                                                        \
     X(PFNGLTRANSFORMFEEDBACKVARYINGSPROC, TransformFeedbackVaryings, 0, "")                                                    \
+    X(PFNGLUNIFORM1FPROC, Uniform1f, 0, "")                                                                                    \
     X(PFNGLUNIFORM1IPROC, Uniform1i, 0, "")                                                                                    \
+    X(PFNGLUNIFORM4FPROC, Uniform4f, 0, "")                                                                                    \
     X(PFNGLUNIFORMBLOCKBINDINGPROC, UniformBlockBinding, 0, "")                                                                \
     X(PFNGLUSEPROGRAMPROC, UseProgram, 0, "")                                                                                  \
     X(PFNGLVERTEXATTRIB4FVPROC, VertexAttrib4fv, 0, "")                                                                        \

@@ -6,12 +6,17 @@
 
 typedef struct test_context test_context;
 
+enum { TEST_WINDOW_WIDTH = 48, TEST_WINDOW_HEIGHT = 36 };
+
 typedef struct test_context_desc {
-    bool osmesa; /* else EGL, surfaceless */
+    bool osmesa; /* else EGL, without a display */
     bool es;
     int major;
     int minor;
     bool compatibility;
+    bool window; /* with a window's framebuffer, framebuffer 0, of TEST_WINDOW_WIDTH x TEST_WINDOW_HEIGHT, 8 bit RGBA, with
+                    depth and stencil (OSMesa's contexts always have one) */
+    int window_samples;  /* of that */
     test_context *share; /* a context of the same description to share objects with, or NULL */
 } test_context_desc;
 

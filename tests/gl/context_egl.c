@@ -1,9 +1,9 @@
-/* Contexts without a surface through EGL. */
+/* Contexts through EGL, without a display. */
 #include "context.h"
 
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
-#include <stdio.h>
+#include <stdlib.h>
 
 static EGLDisplay open_display(void)
 {
@@ -19,15 +19,39 @@ static EGLDisplay open_display(void)
     return display;
 }
 
+typedef struct egl {
+    EGLContext context;
+    EGLSurface surface; /* or none */
+} egl;
+
+static bool choose_config(EGLDisplay display, const test_context_desc *desc, EGLConfig *config)
+{
+    const EGLint kind = desc->es ? EGL_OPENGL_ES3_BIT : EGL_OPENGL_BIT;
+    const EGLint surfaceless[] = {EGL_RENDERABLE_TYPE, kind, EGL_SURFACE_TYPE, 0, EGL_NONE};
+    const EGLint window[] = {EGL_RENDERABLE_TYPE,
+                             kind,
+                             EGL_SURFACE_TYPE,
+                             EGL_PBUFFER_BIT,
+                             EGL_RED_SIZE,
+                             8,
+                             EGL_ALPHA_SIZE,
+                             8,
+                             EGL_DEPTH_SIZE,
+                             24,
+                             EGL_STENCIL_SIZE,
+                             8,
+                             EGL_SAMPLES,
+                             desc->window_samples,
+                             EGL_NONE};
+    EGLint count = 0;
+    return eglChooseConfig(display, desc->window ? window : surfaceless, config, 1, &count) && count > 0;
+}
+
 static void *create(const test_context_desc *desc, void *share)
 {
     EGLDisplay display = open_display();
-    if (display == EGL_NO_DISPLAY) return NULL;
-    const EGLint config_attributes[] = {EGL_RENDERABLE_TYPE, desc->es ? EGL_OPENGL_ES3_BIT : EGL_OPENGL_BIT, EGL_SURFACE_TYPE,
-                                        0, EGL_NONE};
     EGLConfig config;
-    EGLint count = 0;
-    if (!eglChooseConfig(display, config_attributes, &config, 1, &count) || count == 0) return NULL;
+    if (display == EGL_NO_DISPLAY || !choose_config(display, desc, &config)) return NULL;
 
     const EGLint profile =
         desc->compatibility ? EGL_CONTEXT_OPENGL_COMPATIBILITY_PROFILE_BIT : EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT;
@@ -41,16 +65,30 @@ static void *create(const test_context_desc *desc, void *share)
                                  profile,
                                  EGL_NONE};
     eglBindAPI(desc->es ? EGL_OPENGL_ES_API : EGL_OPENGL_API);
-    EGLContext context = eglCreateContext(display, config, share ? share : EGL_NO_CONTEXT, attributes);
-    return context == EGL_NO_CONTEXT ? NULL : context;
+    egl created = {.surface = EGL_NO_SURFACE};
+    created.context = eglCreateContext(display, config, share ? ((egl *)share)->context : EGL_NO_CONTEXT, attributes);
+    if (created.context == EGL_NO_CONTEXT) return NULL;
+    if (desc->window) {
+        const EGLint size[] = {EGL_WIDTH, TEST_WINDOW_WIDTH, EGL_HEIGHT, TEST_WINDOW_HEIGHT, EGL_NONE};
+        created.surface = eglCreatePbufferSurface(display, config, size);
+        if (created.surface == EGL_NO_SURFACE) {
+            eglDestroyContext(display, created.context);
+            return NULL;
+        }
+    }
+    egl *native = malloc(sizeof *native);
+    if (native == NULL) abort();
+    *native = created;
+    return native;
 }
 
 static bool make_current(void *native)
 {
+    const egl *made = native;
     EGLint api = EGL_OPENGL_API;
-    eglQueryContext(open_display(), native, EGL_CONTEXT_CLIENT_TYPE, &api);
+    eglQueryContext(open_display(), made->context, EGL_CONTEXT_CLIENT_TYPE, &api);
     eglBindAPI((EGLenum)api);
-    return eglMakeCurrent(open_display(), EGL_NO_SURFACE, EGL_NO_SURFACE, native);
+    return eglMakeCurrent(open_display(), made->surface, made->surface, made->context);
 }
 
 static void release(void)
@@ -60,7 +98,10 @@ static void release(void)
 
 static void destroy(void *native)
 {
-    eglDestroyContext(open_display(), native);
+    egl *made = native;
+    if (made->surface != EGL_NO_SURFACE) eglDestroySurface(open_display(), made->surface);
+    eglDestroyContext(open_display(), made->context);
+    free(made);
 }
 
 static void (*get_proc_address(const char *name))(void)

@@ -6,13 +6,17 @@
 
 typedef struct osmesa {
     OSMesaContext context;
-    unsigned char buffer[4 * 16 * 16]; /* the default framebuffer, which the tests do not use */
+    unsigned char buffer[4 * TEST_WINDOW_WIDTH * TEST_WINDOW_HEIGHT];
 } osmesa;
 
 static void *create(const test_context_desc *desc, void *share)
 {
     const int attributes[] = {OSMESA_FORMAT,
                               OSMESA_RGBA,
+                              OSMESA_DEPTH_BITS,
+                              24,
+                              OSMESA_STENCIL_BITS,
+                              8,
                               OSMESA_PROFILE,
                               desc->compatibility ? OSMESA_COMPAT_PROFILE : OSMESA_CORE_PROFILE,
                               OSMESA_CONTEXT_MAJOR_VERSION,
@@ -33,7 +37,7 @@ static void *create(const test_context_desc *desc, void *share)
 static bool make_current(void *native)
 {
     osmesa *current = native;
-    return OSMesaMakeCurrent(current->context, current->buffer, GL_UNSIGNED_BYTE, 16, 16);
+    return OSMesaMakeCurrent(current->context, current->buffer, GL_UNSIGNED_BYTE, TEST_WINDOW_WIDTH, TEST_WINDOW_HEIGHT);
 }
 
 static void release(void)

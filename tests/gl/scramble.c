@@ -40,7 +40,9 @@ static GLuint pick_name(test_host *host, const GLuint *names, int count)
 
 static GLuint compile(GLenum stage, const char *body)
 {
-    const char *strings[] = {gl.es ? "#version 300 es\nprecision highp float;\n" : "#version 330 core\n", body};
+    const char *es =
+        gl.version >= 31 ? "#version 310 es\nprecision highp float;\n" : "#version 300 es\nprecision highp float;\n";
+    const char *strings[] = {gl.es ? es : "#version 330 core\n", body};
     GLuint shader = gl.CreateShader(stage);
     gl.ShaderSource(shader, 2, strings, NULL);
     gl.CompileShader(shader);

@@ -1,0 +1,875 @@
+/* The opaque scene's depth, of every kind: the light ends where the scene begins, pixel by pixel as the reference has it.
+ *
+ *     depth_test CONTEXT    one of the names in `kinds` */
+#include "canvas.h"
+#include "glow.h"
+#include "scramble.h"
+
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { WIDTH = GLOW_WIDTH, HEIGHT = GLOW_HEIGHT, SAMPLES = 4 };
+
+typedef GLfloat picture[HEIGHT][WIDTH][4];
+typedef GLfloat depths[HEIGHT][WIDTH];
+
+static const struct {
+    const char *name;
+    test_context_desc desc;
+} kinds[] = {
+    {"gl33", {.major = 3, .minor = 3, .window = true}},
+    {"gl45", {.major = 4, .minor = 5, .window = true, .window_samples = SAMPLES}},
+    {"gl45_compatibility", {.major = 4, .minor = 5, .compatibility = true, .window = true}},
+    {"es30", {.es = true, .major = 3, .minor = 0, .window = true}},
+    {"es31", {.es = true, .major = 3, .minor = 1, .window = true, .window_samples = SAMPLES}},
+    {"es32", {.es = true, .major = 3, .minor = 2, .window = true}},
+    {"osmesa33", {.osmesa = true, .major = 3, .minor = 3}},
+};
+
+static test_context *context;
+static ew_effect *effect;
+static canvas target; /* RGBA32F, without depth */
+
+static const GLfloat black[4] = {0, 0, 0, 1};
+
+static GLuint make_depth_texture(GLenum format, depths values)
+{
+    GLuint texture;
+    gl.GenTextures(1, &texture);
+    gl.BindTexture(GL_TEXTURE_2D, texture);
+    switch (format) {
+    case GL_DEPTH_COMPONENT16: {
+        GLushort texels[HEIGHT][WIDTH];
+        for (int i = 0; i < WIDTH * HEIGHT; i++)
+            texels[i / WIDTH][i % WIDTH] = (GLushort)lround((double)values[i / WIDTH][i % WIDTH] * 65535);
+        gl.TexImage2D(GL_TEXTURE_2D, 0, (GLint)format, WIDTH, HEIGHT, 0, GL_DEPTH_COMPONENT, GL_UNSIGNED_SHORT, texels);
+        break;
+    }
+    case GL_DEPTH_COMPONENT24: {
+        static GLuint texels[HEIGHT][WIDTH];
+        for (int i = 0; i < WIDTH * HEIGHT; i++)
+            texels[i / WIDTH][i % WIDTH] = (GLuint)llround((double)values[i / WIDTH][i % WIDTH] * 4294967295.0);
+        gl.TexImage2D(GL_TEXTURE_2D, 0, (GLint)format, WIDTH, HEIGHT, 0, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, texels);
+        break;
+    }
+    case GL_DEPTH24_STENCIL8: {
+        static GLuint texels[HEIGHT][WIDTH];
+        for (int i = 0; i < WIDTH * HEIGHT; i++)
+            texels[i / WIDTH][i % WIDTH] = (GLuint)lround((double)values[i / WIDTH][i % WIDTH] * 16777215) << 8 | 0x5A;
+        gl.TexImage2D(GL_TEXTURE_2D, 0, (GLint)format, WIDTH, HEIGHT, 0, GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8, texels);
+        break;
+    }
+    case GL_DEPTH32F_STENCIL8: {
+        static struct {
+            GLfloat depth;
+            GLuint stencil;
+        } texels[HEIGHT][WIDTH];
+        for (int i = 0; i < WIDTH * HEIGHT; i++) {
+            texels[i / WIDTH][i % WIDTH].depth = values[i / WIDTH][i % WIDTH];
+            texels[i / WIDTH][i % WIDTH].stencil = 0x5A;
+        }
+        gl.TexImage2D(GL_TEXTURE_2D, 0, (GLint)format, WIDTH, HEIGHT, 0, GL_DEPTH_STENCIL, GL_FLOAT_32_UNSIGNED_INT_24_8_REV,
+                      texels);
+        break;
+    }
+    case GL_R32F:
+        gl.TexImage2D(GL_TEXTURE_2D, 0, (GLint)format, WIDTH, HEIGHT, 0, GL_RED, GL_FLOAT, values);
+        break;
+    default:
+        gl.TexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT32F, WIDTH, HEIGHT, 0, GL_DEPTH_COMPONENT, GL_FLOAT, values);
+    }
+    gl.BindTexture(GL_TEXTURE_2D, 0);
+    return texture;
+}
+
+static void draw_to(const canvas *to, const ew_frame_desc *frame, picture drawn)
+{
+    ew_frame_desc there = *frame;
+    there.framebuffer = to->framebuffer;
+    canvas_clear(to, black);
+    glow_draw(effect, &there);
+    assert_int_equal(gl.GetError(), GL_NO_ERROR);
+    canvas_read(to, &drawn[0][0][0]);
+}
+
+/* Draws the luminance. */
+static void measure(const ew_frame_desc *frame, picture measured)
+{
+    ew_frame_desc measuring = *frame;
+    measuring.output = EW_OUTPUT_LUMINANCE;
+    draw_to(&target, &measuring, measured);
+}
+
+/* ---- Projections ----------------------------------------------------------------------------------------------------------
+ */
+
+/* The view depth of the opaque scene along the ray of a pixel: a ball before the brightest of the light, a wall through it,
+ * aslant, and nothing. */
+static double scene_depth(const glow_lens *lens, int column, int row)
+{
+    double place[2];
+    glow_pixel(lens, column, row, place);
+    /* origin + depth direction, seen from the eye */
+    double origin[3] = {lens->parallel ? place[0] : 0, lens->parallel ? place[1] : 0, 0};
+    double direction[3] = {lens->parallel ? 0 : place[0], lens->parallel ? 0 : place[1], 1};
+    const double center[3] = {0.5, 0.2, 5}, radius = 0.5;
+    double a = 0, b = 0, c = -radius * radius;
+    for (int i = 0; i < 3; i++) {
+        a += direction[i] * direction[i];
+        b += direction[i] * (origin[i] - center[i]);
+        c += (origin[i] - center[i]) * (origin[i] - center[i]);
+    }
+    if (b * b - a * c > 0) return (-b - sqrt(b * b - a * c)) / a;
+    /* depth = 6.2 + 0.3 x, where x < -0.2 */
+    double wall = (6.2 + 0.3 * origin[0]) / (1 - 0.3 * direction[0]);
+    return origin[0] + wall * direction[0] < -0.2 ? wall : (double)INFINITY;
+}
+
+/* Window depth of a point on a pixel's ray. */
+static double window_depth(const ew_frame_desc *frame, const glow_lens *lens, int column, int row, double depth)
+{
+    double place[2], clip[4];
+    glow_pixel(lens, column, row, place);
+    const double scale = lens->parallel ? 1 : depth, view[4] = {place[0] * scale, place[1] * scale, -depth, 1};
+    for (int i = 0; i < 4; i++) {
+        clip[i] = 0;
+        for (int j = 0; j < 4; j++)
+            clip[i] += frame->projection[4 * j + i] * view[j];
+    }
+    return frame->clip_depth == EW_CLIP_DEPTH_ZERO_TO_ONE ? clip[2] / clip[3] : 0.5 * clip[2] / clip[3] + 0.5;
+}
+
+/* Lengyel, "Oblique View Frustum Depth Projection and Clipping" (2005): the near plane becomes `plane`. */
+static void make_oblique(double p[16], const double plane[4])
+{
+    const double corner[4] = {(copysign(1, plane[0]) + p[8]) / p[0], (copysign(1, plane[1]) + p[9]) / p[5], -1,
+                              (1 + p[10]) / p[14]};
+    double along = 0;
+    for (int i = 0; i < 4; i++)
+        along += plane[i] * corner[i];
+    for (int i = 0; i < 4; i++)
+        p[4 * i + 2] = 2 * plane[i] / along - p[4 * i + 3];
+}
+
+static void every_projection_has_the_luminance_of_the_reference(void **unused)
+{
+    (void)unused;
+    static const double near_depth = 0.5, far_depth = 60;
+    const double n = near_depth, f = far_depth;
+    static const glow_lens off_axis = {.left = -0.55, .right = 0.25, .bottom = -0.2, .top = 0.4};
+    static const glow_lens jittered = {
+        .left = -0.4 + 0.3 / 60, .right = 0.4 + 0.3 / 60, .bottom = -0.3 - 0.4 / 60, .top = 0.3 - 0.4 / 60};
+    static const glow_lens parallel = {.parallel = true, .left = -2.4, .right = 2.4, .bottom = -1.8, .top = 1.8};
+    const struct {
+        const char *name;
+        const glow_lens *lens;
+        double z_scale, z_offset, far_value;
+        ew_clip_depth clip_depth;
+        bool oblique;
+    } projections[] = {
+        {"perspective", &glow_default_lens, -(f + n) / (f - n), -2 * f * n / (f - n), 1, EW_CLIP_DEPTH_NEGATIVE_ONE_TO_ONE, 0},
+        {"[0, 1] clip depth", &glow_default_lens, -f / (f - n), -f * n / (f - n), 1, EW_CLIP_DEPTH_ZERO_TO_ONE, 0},
+        {"reversed", &glow_default_lens, n / (f - n), f * n / (f - n), 0, EW_CLIP_DEPTH_ZERO_TO_ONE, 0},
+        {"infinite far plane", &glow_default_lens, -1, -2 * n, 1, EW_CLIP_DEPTH_NEGATIVE_ONE_TO_ONE, 0},
+        {"reversed, infinite far plane", &glow_default_lens, 0, n, 0, EW_CLIP_DEPTH_ZERO_TO_ONE, 0},
+        {"reversed in [-1, 1]", &glow_default_lens, (f + n) / (f - n), 2 * f * n / (f - n), 0,
+         EW_CLIP_DEPTH_NEGATIVE_ONE_TO_ONE, 0},
+        {"oblique near plane", &glow_default_lens, -(f + n) / (f - n), -2 * f * n / (f - n), 1,
+         EW_CLIP_DEPTH_NEGATIVE_ONE_TO_ONE, 1},
+        {"off-axis", &off_axis, -(f + n) / (f - n), -2 * f * n / (f - n), 1, EW_CLIP_DEPTH_NEGATIVE_ONE_TO_ONE, 0},
+        {"jittered, reversed", &jittered, 0, n, 0, EW_CLIP_DEPTH_ZERO_TO_ONE, 0},
+        {"orthographic", &parallel, -2 / (f - n), -(f + n) / (f - n), 1, EW_CLIP_DEPTH_NEGATIVE_ONE_TO_ONE, 0},
+        {"orthographic, reversed", &parallel, 1 / (f - n), f / (f - n), 0, EW_CLIP_DEPTH_ZERO_TO_ONE, 0},
+    };
+    static double truth[HEIGHT][WIDTH];
+    const glow_lens *truth_of = NULL;
+    double brightest = 0;
+    for (size_t i = 0; i < sizeof projections / sizeof projections[0]; i++) {
+        const glow_lens *lens = projections[i].lens;
+        ew_frame_desc frame = glow_frame(0);
+        glow_projection(lens, projections[i].z_scale, projections[i].z_offset, frame.projection);
+        frame.clip_depth = projections[i].clip_depth;
+        if (projections[i].oblique) make_oblique(frame.projection, (const double[4]){0.1, -0.2, -1, -1.5});
+
+        static depths values;
+        static picture found;
+        for (int row = 0; row < HEIGHT; row++)
+            for (int column = 0; column < WIDTH; column++) {
+                double depth = scene_depth(lens, column, row);
+                values[row][column] =
+                    (GLfloat)(isfinite(depth) ? window_depth(&frame, lens, column, row, depth) : projections[i].far_value);
+                if (lens != truth_of) {
+                    if (row == 0 && column == 0) brightest = 0;
+                    truth[row][column] = glow_reference(lens, &frame, column, row, depth);
+                    brightest = fmax(brightest, truth[row][column]);
+                }
+            }
+        truth_of = lens;
+        frame.depth_texture = make_depth_texture(GL_DEPTH_COMPONENT32F, values);
+        measure(&frame, found);
+        gl.DeleteTextures(1, &frame.depth_texture);
+
+        double worst = 0;
+        for (int row = 0; row < HEIGHT; row++)
+            for (int column = 0; column < WIDTH; column++) {
+                double expected = truth[row][column], error = fabs((double)found[row][column][0] - expected);
+                worst = fmax(worst, error / fmax(expected, 1e-3 * brightest));
+            }
+        fprintf(stderr, "%s: largest relative error %.2g\n", projections[i].name, worst);
+        assert_true(worst <= 1e-3);
+    }
+}
+
+/* ---- Textures -------------------------------------------------------------------------------------------------------------
+ */
+
+/* The frame that the textures are for, and its opaque scene's depth. */
+static ew_frame_desc textured_frame(depths values)
+{
+    ew_frame_desc frame = glow_frame(0);
+    glow_projection(&glow_default_lens, -1.02, -1.01, frame.projection);
+    for (int row = 0; row < HEIGHT; row++)
+        for (int column = 0; column < WIDTH; column++) {
+            double depth = scene_depth(&glow_default_lens, column, row);
+            bool is_open = !isfinite(depth);
+            values[row][column] = is_open ? 1.0f : (GLfloat)window_depth(&frame, &glow_default_lens, column, row, depth);
+        }
+    return frame;
+}
+
+static int count_different_pixels(picture a, picture b)
+{
+    int different = 0;
+    for (int row = 0; row < HEIGHT; row++)
+        for (int column = 0; column < WIDTH; column++)
+            different += memcmp(a[row][column], b[row][column], sizeof a[row][column]) != 0;
+    return different;
+}
+
+/* By how much the pictures differ, relative to the brighter of their pixels. */
+static double largest_difference(picture a, picture b)
+{
+    double largest = 0;
+    for (int i = 0; i < WIDTH * HEIGHT * 4; i++) {
+        double x = (double)(&a[0][0][0])[i], y = (double)(&b[0][0][0])[i];
+        largest = fmax(largest, fabs(x - y) / fmax(1e-3, fmax(x, y)));
+    }
+    return largest;
+}
+
+/* The depths as a fixed-point format keeps them. */
+static void quantize(depths values, int bits, depths kept)
+{
+    const double steps = ldexp(1, bits) - 1;
+    for (int row = 0; row < HEIGHT; row++)
+        for (int column = 0; column < WIDTH; column++)
+            kept[row][column] = (GLfloat)((double)llround((double)values[row][column] * steps) / steps);
+}
+
+static void every_format_of_a_depth_texture_is_read(void **unused)
+{
+    (void)unused;
+    static const struct {
+        GLenum format;
+        int bits; /* 0: floats */
+    } formats[] = {{GL_DEPTH_COMPONENT16, 16}, {GL_DEPTH_COMPONENT24, 24}, {GL_DEPTH24_STENCIL8, 24},
+                   {GL_DEPTH_COMPONENT32F, 0}, {GL_DEPTH32F_STENCIL8, 0},  {GL_R32F, 0}};
+    static depths values, kept;
+    static picture open, expected, found;
+    ew_frame_desc frame = textured_frame(values);
+    measure(&frame, open);
+    for (size_t i = 0; i < sizeof formats / sizeof formats[0]; i++) {
+        if (formats[i].bits > 0)
+            quantize(values, formats[i].bits, kept);
+        else
+            memcpy(kept, values, sizeof kept);
+        frame.depth_texture = make_depth_texture(GL_DEPTH_COMPONENT32F, kept);
+        measure(&frame, expected);
+        gl.DeleteTextures(1, &frame.depth_texture);
+        frame.depth_texture = make_depth_texture(formats[i].format, values);
+        measure(&frame, found);
+        gl.DeleteTextures(1, &frame.depth_texture);
+        assert_true(count_different_pixels(open, expected) > WIDTH);
+        /* A float keeps the fixed-point fraction only to 24 bits. */
+        assert_true(largest_difference(expected, found) <= 1e-4);
+    }
+}
+
+static void what_the_host_set_on_its_texture_does_not_matter_and_stays(void **unused)
+{
+    (void)unused;
+    const bool stencil_texturing = api_has(43, 31, "GL_ARB_stencil_texturing");
+    const GLenum depth_texture_mode = 0x884B, alpha = GL_ALPHA;
+    const struct {
+        GLenum name;
+        GLint value;
+        bool known;
+    } settings[] = {
+        {GL_TEXTURE_SWIZZLE_R, GL_ZERO, true},
+        {GL_TEXTURE_SWIZZLE_R, GL_GREEN, true},
+        {GL_TEXTURE_BASE_LEVEL, 1, true},
+        {GL_TEXTURE_BASE_LEVEL, 7, true},
+        {GL_TEXTURE_MAX_LEVEL, 0, true},
+        {GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE, true},
+        {GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR, true},
+        {GL_TEXTURE_MAG_FILTER, GL_LINEAR, true},
+        {GL_DEPTH_STENCIL_TEXTURE_MODE, GL_STENCIL_INDEX, stencil_texturing},
+        {depth_texture_mode, (GLint)alpha, gl.compatibility},
+    };
+    static depths values;
+    static picture expected, found;
+    ew_frame_desc frame = textured_frame(values);
+    frame.depth_texture = make_depth_texture(GL_DEPTH24_STENCIL8, values);
+    measure(&frame, expected);
+    for (size_t i = 0; i < sizeof settings / sizeof settings[0]; i++) {
+        if (!settings[i].known) continue;
+        GLint before = 0, after = 0;
+        gl.BindTexture(GL_TEXTURE_2D, frame.depth_texture);
+        gl.GetTexParameteriv(GL_TEXTURE_2D, settings[i].name, &before);
+        gl.TexParameteri(GL_TEXTURE_2D, settings[i].name, settings[i].value);
+        measure(&frame, found);
+        gl.GetTexParameteriv(GL_TEXTURE_2D, settings[i].name, &after);
+        gl.TexParameteri(GL_TEXTURE_2D, settings[i].name, before);
+        gl.BindTexture(GL_TEXTURE_2D, 0);
+        assert_int_equal(after, settings[i].value);
+        if (count_different_pixels(expected, found) != 0) fail_msg("parameter 0x%x changes the picture", settings[i].name);
+    }
+    gl.DeleteTextures(1, &frame.depth_texture);
+}
+
+static void a_viewport_smaller_than_the_depth_is_a_part_of_the_picture(void **unused)
+{
+    (void)unused;
+    enum { X = 11, Y = 7, W = 23, H = 19 };
+    static depths values;
+    static picture whole, part;
+    ew_frame_desc frame = textured_frame(values);
+    frame.depth_texture = make_depth_texture(GL_DEPTH_COMPONENT32F, values);
+    measure(&frame, whole);
+
+    /* The lens of the part: NDC [-1, 1] spans these pixels. */
+    const glow_lens *lens = &glow_default_lens;
+    double first[2], last[2];
+    glow_pixel(lens, X, Y, first);
+    glow_pixel(lens, X + W, Y + H, last);
+    const double half_x = (lens->right - lens->left) / WIDTH / 2, half_y = (lens->top - lens->bottom) / HEIGHT / 2;
+    const glow_lens part_lens = {
+        .left = first[0] - half_x, .right = last[0] - half_x, .bottom = first[1] - half_y, .top = last[1] - half_y};
+    glow_projection(&part_lens, -1.02, -1.01, frame.projection);
+    frame.viewport_x = X;
+    frame.viewport_y = Y;
+    frame.viewport_width = W;
+    frame.viewport_height = H;
+    measure(&frame, part);
+    for (int row = 0; row < HEIGHT; row++)
+        for (int column = 0; column < WIDTH; column++) {
+            bool inside = column >= X && column < X + W && row >= Y && row < Y + H;
+            double expected = inside ? (double)whole[row][column][0] : 0, found = (double)part[row][column][0];
+            assert_true(fabs(found - expected) <= 1e-4 * expected);
+        }
+
+    /* A target as large as that part, below and left of the depth's middle. */
+    canvas small = canvas_create(W, H, GL_RGBA32F, 0, 0);
+    static GLfloat small_picture[H][W][4];
+    const glow_lens corner_lens = {
+        .left = lens->left, .right = lens->left + 2 * half_x * W, .bottom = lens->bottom, .top = lens->bottom + 2 * half_y * H};
+    glow_projection(&corner_lens, -1.02, -1.01, frame.projection);
+    frame.viewport_x = frame.viewport_y = 0;
+    frame.framebuffer = small.framebuffer;
+    frame.output = EW_OUTPUT_LUMINANCE;
+    canvas_clear(&small, black);
+    glow_draw(effect, &frame);
+    canvas_read(&small, &small_picture[0][0][0]);
+    for (int row = 0; row < H; row++)
+        for (int column = 0; column < W; column++) {
+            double expected = (double)whole[row][column][0], found = (double)small_picture[row][column][0];
+            assert_true(fabs(found - expected) <= 1e-4 * expected);
+        }
+    canvas_destroy(&small);
+    gl.DeleteTextures(1, &frame.depth_texture);
+}
+
+static void the_host_s_scissor_bounds_the_picture(void **unused)
+{
+    (void)unused;
+    static const GLint box[4] = {5, 9, 20, 14};
+    static depths values;
+    static picture whole, part;
+    ew_frame_desc frame = textured_frame(values);
+    canvas with_depth = canvas_create(WIDTH, HEIGHT, GL_RGBA32F, GL_DEPTH_COMPONENT24, 0);
+    canvas_clear_depth(&with_depth, 1, box, 0.9f);
+    frame.output = EW_OUTPUT_LUMINANCE;
+    const GLuint texture = make_depth_texture(GL_DEPTH_COMPONENT32F, values);
+    for (int copied = 0; copied < 2; copied++) {
+        frame.depth_source = copied ? EW_DEPTH_FRAMEBUFFER : EW_DEPTH_TEXTURE;
+        frame.depth_texture = copied ? 0 : texture;
+        const canvas *to = copied ? &with_depth : &target;
+        draw_to(to, &frame, whole);
+        canvas_clear(to, black);
+        gl.Scissor(box[0], box[1], box[2], box[3]);
+        gl.Enable(GL_SCISSOR_TEST);
+        frame.framebuffer = to->framebuffer;
+        glow_draw(effect, &frame);
+        gl.Disable(GL_SCISSOR_TEST);
+        canvas_read(to, &part[0][0][0]);
+        for (int row = 0; row < HEIGHT; row++)
+            for (int column = 0; column < WIDTH; column++) {
+                bool inside = column >= box[0] && column < box[0] + box[2] && row >= box[1] && row < box[1] + box[3];
+                assert_true(whole[row][column][0] > 0);
+                double expected = inside ? (double)whole[row][column][0] : 0, found = (double)part[row][column][0];
+                /* Mesa's copies of 24 bits lose the last one where there is a scissor. */
+                assert_true(fabs(found - expected) <= 1e-5 * expected);
+            }
+    }
+    gl.DeleteTextures(1, &texture);
+    canvas_destroy(&with_depth);
+}
+
+/* ---- The framebuffer's own depth ------------------------------------------------------------------------------------------
+ */
+
+static const GLint near_box[4] = {13, 8, 21, 17};
+
+/* What canvas_clear_depth leaves. */
+static void boxed_depths(GLfloat near_value, depths values)
+{
+    for (int row = 0; row < HEIGHT; row++)
+        for (int column = 0; column < WIDTH; column++) {
+            bool inside = column >= near_box[0] && column < near_box[0] + near_box[2] && row >= near_box[1] &&
+                          row < near_box[1] + near_box[3];
+            values[row][column] = inside ? near_value : 1;
+        }
+}
+
+static void expect_copied_depth(const canvas *to, GLfloat near_value, int bits)
+{
+    static depths values, kept;
+    static picture expected, found;
+    ew_frame_desc frame = glow_frame(0);
+    frame.output = EW_OUTPUT_LUMINANCE;
+    boxed_depths(near_value, values);
+    if (bits > 0)
+        quantize(values, bits, kept);
+    else
+        memcpy(kept, values, sizeof kept);
+    frame.depth_texture = make_depth_texture(GL_DEPTH_COMPONENT32F, kept);
+    draw_to(&target, &frame, expected);
+    gl.DeleteTextures(1, &frame.depth_texture);
+
+    frame.depth_texture = 0;
+    frame.depth_source = EW_DEPTH_FRAMEBUFFER;
+    canvas_clear_depth(to, 1, near_box, near_value);
+    draw_to(to, &frame, found);
+    assert_true(largest_difference(expected, found) <= 1e-4);
+}
+
+static void the_depth_of_a_framebuffer_is_copied_whatever_its_format(void **unused)
+{
+    (void)unused;
+    static const struct {
+        GLenum format;
+        int bits; /* 0: floats */
+        bool es;
+    } formats[] = {{GL_DEPTH_COMPONENT16, 16, true},  {GL_DEPTH_COMPONENT24, 24, true}, {GL_DEPTH24_STENCIL8, 24, true},
+                   {GL_DEPTH_COMPONENT32, 32, false}, {GL_DEPTH_COMPONENT32F, 0, true}, {GL_DEPTH32F_STENCIL8, 0, true}};
+    enum { COUNT = sizeof formats / sizeof formats[0] };
+    for (int pass = 0; pass < 2; pass++) /* each format after each of its neighbours, and with the copy's storage made */
+        for (int i = 0; i < COUNT; i++) {
+            if (gl.es && !formats[i].es) continue;
+            canvas made = canvas_create(WIDTH, HEIGHT, GL_RGBA32F, formats[i].format, 0);
+            expect_copied_depth(&made, 0.86f, formats[i].bits);
+            expect_copied_depth(&made, 0.88f, formats[i].bits);
+            canvas_destroy(&made);
+        }
+}
+
+static void the_copy_of_the_depth_grows_with_the_viewport(void **unused)
+{
+    (void)unused;
+    canvas made = canvas_create(WIDTH, HEIGHT, GL_RGBA32F, GL_DEPTH_COMPONENT24, 0);
+    ew_effect *other = glow_create(context);
+    static picture expected, found;
+    ew_frame_desc frame = glow_frame(made.framebuffer);
+    frame.output = EW_OUTPUT_LUMINANCE;
+    frame.depth_source = EW_DEPTH_FRAMEBUFFER;
+    canvas_clear_depth(&made, 1, near_box, 0.86f);
+    draw_to(&made, &frame, expected);
+
+    ew_frame_desc part = frame;
+    part.viewport_width = WIDTH / 2;
+    part.viewport_height = HEIGHT / 3;
+    glow_draw(other, &part);
+    part.viewport_height = HEIGHT;
+    glow_draw(other, &part);
+    part = frame;
+    part.viewport_x = -WIDTH;
+    glow_draw(other, &part); /* beside the picture */
+    canvas_clear(&made, black);
+    glow_draw(other, &frame);
+    canvas_read(&made, &found[0][0][0]);
+    assert_int_equal(count_different_pixels(expected, found), 0);
+
+    /* An unpack buffer of the host's is no source of depth. */
+    GLuint buffer;
+    GLubyte bytes[64] = {0};
+    gl.GenBuffers(1, &buffer);
+    gl.BindBuffer(GL_PIXEL_UNPACK_BUFFER, buffer);
+    gl.BufferData(GL_PIXEL_UNPACK_BUFFER, sizeof bytes, bytes, GL_STATIC_DRAW);
+    ew_destroy_effect(other);
+    other = glow_create(context);
+    canvas_clear(&made, black);
+    glow_draw(other, &frame);
+    GLint bound = 0;
+    gl.GetIntegerv(GL_PIXEL_UNPACK_BUFFER_BINDING, &bound);
+    assert_int_equal(bound, buffer);
+    gl.DeleteBuffers(1, &buffer);
+    canvas_read(&made, &found[0][0][0]);
+    assert_int_equal(count_different_pixels(expected, found), 0);
+    assert_int_equal(gl.GetError(), GL_NO_ERROR);
+    ew_destroy_effect(other);
+    canvas_destroy(&made);
+}
+
+static void the_depth_of_the_window_is_copied(void **unused)
+{
+    (void)unused;
+    const canvas window = {.width = WIDTH, .height = HEIGHT, .color_format = GL_RGBA8};
+    canvas bytes = canvas_create(WIDTH, HEIGHT, GL_RGBA8, 0, 0);
+    static depths values;
+    static picture open, expected, found;
+    ew_frame_desc frame = glow_frame(0);
+    boxed_depths(0.86f, values);
+    draw_to(&bytes, &frame, open);
+    frame.depth_texture = make_depth_texture(GL_DEPTH_COMPONENT32F, values);
+    draw_to(&bytes, &frame, expected);
+    gl.DeleteTextures(1, &frame.depth_texture);
+    assert_true(count_different_pixels(open, expected) > 100);
+
+    frame.depth_texture = 0;
+    frame.depth_source = EW_DEPTH_FRAMEBUFFER;
+    canvas_clear_depth(&window, 1, near_box, 0.86f);
+    draw_to(&window, &frame, found);
+    for (int i = 0; i < WIDTH * HEIGHT * 4; i++)
+        assert_true(fabsf((&found[0][0][0])[i] - (&expected[0][0][0])[i]) <= 1.01f / 255);
+    canvas_destroy(&bytes);
+}
+
+/* ---- Multisampled depth ---------------------------------------------------------------------------------------------------
+ */
+
+static bool has_multisampled_textures(void)
+{
+    return api_has(33, 31, NULL);
+}
+
+static GLuint make_multisampled_texture(GLenum format)
+{
+    GLuint texture;
+    gl.GenTextures(1, &texture);
+    gl.BindTexture(GL_TEXTURE_2D_MULTISAMPLE, texture);
+    if (gl.es)
+        gl.TexStorage2DMultisample(GL_TEXTURE_2D_MULTISAMPLE, SAMPLES, format, WIDTH, HEIGHT, GL_TRUE);
+    else
+        gl.TexImage2DMultisample(GL_TEXTURE_2D_MULTISAMPLE, SAMPLES, format, WIDTH, HEIGHT, GL_TRUE);
+    gl.BindTexture(GL_TEXTURE_2D_MULTISAMPLE, 0);
+    return texture;
+}
+
+static GLuint make_framebuffer(GLenum texture_target, GLuint color, GLuint depth)
+{
+    GLuint framebuffer;
+    gl.GenFramebuffers(1, &framebuffer);
+    gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, texture_target, color, 0);
+    if (depth) gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, texture_target, depth, 0);
+    assert_int_equal(gl.CheckFramebufferStatus(GL_FRAMEBUFFER), GL_FRAMEBUFFER_COMPLETE);
+    return framebuffer;
+}
+
+/* A multisampled opaque scene, and single-sampled textures of each of its samples. */
+typedef struct sampled_scene {
+    GLuint color, depth;
+    GLuint framebuffer;           /* of the colour alone */
+    GLuint sample_color[SAMPLES]; /* RGBA32F */
+    GLuint sample_depth[SAMPLES]; /* RGBA32F, in the red channel */
+    GLuint sample_framebuffers[SAMPLES];
+} sampled_scene;
+
+static void draw_triangle(GLuint program, const GLfloat color[4], GLfloat depth)
+{
+    gl.UseProgram(program);
+    gl.Uniform4f(gl.GetUniformLocation(program, "fill"), color[0], color[1], color[2], color[3]);
+    gl.Uniform1f(gl.GetUniformLocation(program, "depth"), depth);
+    gl.DrawArrays(GL_TRIANGLES, 0, 3);
+    gl.UseProgram(0);
+}
+
+static void draw_opaque_samples(sampled_scene *scene, GLuint vertex_array)
+{
+    static const GLfloat dark[4] = {0.1f, 0, 0.05f, 1}, bright[4] = {1, 0.9f, 0.6f, 1};
+    static const GLfloat far_depth = 1;
+    GLuint program = build_program("uniform float depth;\nvoid main() {\n"
+                                   "vec2 corner = vec2(gl_VertexID == 1 ? 0.9 : -0.7, gl_VertexID == 2 ? 0.8 : -0.6);\n"
+                                   "gl_Position = vec4(corner, 2.0 * depth - 1.0, 1.0); }\n",
+                                   "uniform vec4 fill;\nout vec4 color;\nvoid main() { color = fill; }\n", NULL);
+    scene->color = make_multisampled_texture(GL_RGBA8);
+    scene->depth = make_multisampled_texture(GL_DEPTH_COMPONENT32F);
+    GLuint framebuffer = make_framebuffer(GL_TEXTURE_2D_MULTISAMPLE, scene->color, scene->depth);
+    gl.Viewport(0, 0, WIDTH, HEIGHT);
+    gl.ClearBufferfv(GL_COLOR, 0, dark);
+    gl.ClearBufferfv(GL_DEPTH, 0, &far_depth);
+    gl.BindVertexArray(vertex_array);
+    gl.Enable(GL_DEPTH_TEST);
+    gl.DepthFunc(GL_LESS);
+    gl.DepthMask(GL_TRUE);
+    draw_triangle(program, bright, 0.75f); /* before nearly all of the light */
+    gl.Disable(GL_DEPTH_TEST);
+    gl.DeleteProgram(program);
+    gl.DeleteFramebuffers(1, &framebuffer);
+    scene->framebuffer = make_framebuffer(GL_TEXTURE_2D_MULTISAMPLE, scene->color, 0);
+}
+
+static GLuint make_float_texture(void)
+{
+    GLuint texture;
+    gl.GenTextures(1, &texture);
+    gl.BindTexture(GL_TEXTURE_2D, texture);
+    gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, WIDTH, HEIGHT, 0, GL_RGBA, GL_FLOAT, NULL);
+    gl.BindTexture(GL_TEXTURE_2D, 0);
+    return texture;
+}
+
+/* Copies a sample of `texture` to a float texture. */
+static GLuint fetch_sample(GLuint program, GLuint texture, int sample)
+{
+    GLuint fetched = make_float_texture(), framebuffer = make_framebuffer(GL_TEXTURE_2D, fetched, 0);
+    gl.ActiveTexture(GL_TEXTURE0);
+    gl.BindTexture(GL_TEXTURE_2D_MULTISAMPLE, texture);
+    gl.UseProgram(program);
+    gl.Uniform1i(gl.GetUniformLocation(program, "index"), sample);
+    gl.DrawArrays(GL_TRIANGLES, 0, 3);
+    gl.UseProgram(0);
+    gl.BindTexture(GL_TEXTURE_2D_MULTISAMPLE, 0);
+    gl.DeleteFramebuffers(1, &framebuffer);
+    return fetched;
+}
+
+static void create_sampled_scene(sampled_scene *scene)
+{
+    GLuint vertex_array;
+    gl.GenVertexArrays(1, &vertex_array);
+    draw_opaque_samples(scene, vertex_array);
+    GLuint program = build_program("void main() { gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : "
+                                   "-1.0, 0.0, 1.0); }\n",
+                                   "uniform highp sampler2DMS image;\nuniform int index;\nout vec4 color;\n"
+                                   "void main() { color = texelFetch(image, ivec2(gl_FragCoord.xy), index); }\n",
+                                   NULL);
+    for (int i = 0; i < SAMPLES; i++) {
+        scene->sample_color[i] = fetch_sample(program, scene->color, i);
+        scene->sample_depth[i] = fetch_sample(program, scene->depth, i);
+        scene->sample_framebuffers[i] = make_framebuffer(GL_TEXTURE_2D, scene->sample_color[i], 0);
+    }
+    gl.DeleteProgram(program);
+    gl.BindVertexArray(0);
+    gl.DeleteVertexArrays(1, &vertex_array);
+    assert_int_equal(gl.GetError(), GL_NO_ERROR);
+}
+
+static void destroy_sampled_scene(sampled_scene *scene)
+{
+    gl.DeleteTextures(1, &scene->color);
+    gl.DeleteTextures(1, &scene->depth);
+    gl.DeleteTextures(SAMPLES, scene->sample_color);
+    gl.DeleteTextures(SAMPLES, scene->sample_depth);
+    gl.DeleteFramebuffers(1, &scene->framebuffer);
+    gl.DeleteFramebuffers(SAMPLES, scene->sample_framebuffers);
+}
+
+/* What a single-sampled host would see, did it render at the place of each sample; 8-bit targets clip. */
+static void draw_samples_alone(const sampled_scene *scene, const ew_frame_desc *frame, picture samples[SAMPLES])
+{
+    for (int i = 0; i < SAMPLES; i++) {
+        ew_frame_desc alone = *frame;
+        alone.framebuffer = scene->sample_framebuffers[i];
+        alone.depth_source = EW_DEPTH_TEXTURE;
+        alone.depth_texture = scene->sample_depth[i];
+        glow_draw(effect, &alone);
+        gl.BindFramebuffer(GL_FRAMEBUFFER, scene->sample_framebuffers[i]);
+        gl.ReadPixels(0, 0, WIDTH, HEIGHT, GL_RGBA, GL_FLOAT, samples[i]);
+        for (int j = 0; j < WIDTH * HEIGHT * 4; j++)
+            (&samples[i][0][0][0])[j] = fminf((&samples[i][0][0][0])[j], 1);
+    }
+}
+
+/* How many pixels have samples of different pictures; each component of `resolved` must lie between them. */
+static int expect_between(picture samples[SAMPLES], picture resolved, float tolerance)
+{
+    int edges = 0;
+    for (int i = 0; i < WIDTH * HEIGHT * 4; i++) {
+        float least = 1, most = 0, found = (&resolved[0][0][0])[i];
+        for (int j = 0; j < SAMPLES; j++) {
+            least = fminf(least, (&samples[j][0][0][0])[i]);
+            most = fmaxf(most, (&samples[j][0][0][0])[i]);
+        }
+        if (!(found >= least - tolerance && found <= most + tolerance))
+            fail_msg("pixel (%d, %d) is %g, its samples are from %g to %g", i / 4 % WIDTH, i / 4 / WIDTH, (double)found,
+                     (double)least, (double)most);
+        edges += most - least > 0.1f;
+    }
+    return edges;
+}
+
+static void a_resolved_picture_is_the_mean_of_its_samples_pictures(void **unused)
+{
+    (void)unused;
+    if (!has_multisampled_textures()) skip();
+    sampled_scene scene;
+    create_sampled_scene(&scene);
+    static picture samples[SAMPLES], resolved;
+    canvas bytes = canvas_create(WIDTH, HEIGHT, GL_RGBA8, 0, 0);
+    const canvas multisampled = {.framebuffer = scene.framebuffer, .width = WIDTH, .height = HEIGHT, .color_format = GL_RGBA8};
+    ew_frame_desc frame = glow_frame(scene.framebuffer);
+    frame.depth_source = EW_DEPTH_TEXTURE_MULTISAMPLE;
+    frame.depth_texture = scene.depth;
+    if (!gl.es) gl.Disable(GL_MULTISAMPLE); /* the host's own business */
+    glow_draw(effect, &frame);
+    if (!gl.es) gl.Enable(GL_MULTISAMPLE);
+    canvas_resolve(&multisampled, &bytes);
+    canvas_read(&bytes, &resolved[0][0][0]);
+    draw_samples_alone(&scene, &frame, samples);
+    /* A rasterizer may round the light, the factor and the result to 8 bits. */
+    const float rounding = 1.51f / 255;
+    assert_true(expect_between(samples, resolved, rounding) > 50);
+    for (int i = 0; i < WIDTH * HEIGHT * 4; i++) {
+        float mean = 0;
+        for (int j = 0; j < SAMPLES; j++)
+            mean += (&samples[j][0][0][0])[i] / SAMPLES;
+        assert_true(fabsf(mean - (&resolved[0][0][0])[i]) <= rounding + 0.5f / 255);
+    }
+    canvas_destroy(&bytes);
+    destroy_sampled_scene(&scene);
+}
+
+static void multisampled_depth_on_other_targets_is_the_mean_over_the_samples(void **unused)
+{
+    (void)unused;
+    if (!has_multisampled_textures()) skip();
+    sampled_scene scene;
+    create_sampled_scene(&scene);
+    static picture sample, mean, found;
+    ew_frame_desc frame = glow_frame(0);
+    memset(mean, 0, sizeof mean);
+    for (int i = 0; i < SAMPLES; i++) {
+        frame.depth_texture = scene.sample_depth[i];
+        draw_to(&target, &frame, sample);
+        for (int j = 0; j < WIDTH * HEIGHT * 4; j++)
+            (&mean[0][0][0])[j] += (&sample[0][0][0])[j] / SAMPLES;
+    }
+    frame.depth_source = EW_DEPTH_TEXTURE_MULTISAMPLE;
+    frame.depth_texture = scene.depth;
+    draw_to(&target, &frame, found);
+    assert_true(largest_difference(mean, found) <= 1e-5);
+
+    /* Swizzled, too. */
+    gl.BindTexture(GL_TEXTURE_2D_MULTISAMPLE, scene.depth);
+    gl.TexParameteri(GL_TEXTURE_2D_MULTISAMPLE, GL_TEXTURE_SWIZZLE_R, GL_ONE);
+    draw_to(&target, &frame, sample);
+    GLint swizzle = 0;
+    gl.GetTexParameteriv(GL_TEXTURE_2D_MULTISAMPLE, GL_TEXTURE_SWIZZLE_R, &swizzle);
+    gl.BindTexture(GL_TEXTURE_2D_MULTISAMPLE, 0);
+    assert_int_equal(swizzle, GL_ONE);
+    assert_int_equal(count_different_pixels(found, sample), 0);
+    destroy_sampled_scene(&scene);
+}
+
+/* ---- Refusals -------------------------------------------------------------------------------------------------------------
+ */
+
+static void depth_that_cannot_be_read_is_refused_by_name(void **unused)
+{
+    (void)unused;
+    GLuint cube, empty;
+    gl.GenTextures(1, &cube);
+    gl.BindTexture(GL_TEXTURE_CUBE_MAP, cube);
+    gl.BindTexture(GL_TEXTURE_CUBE_MAP, 0);
+    ew_frame_desc frame = glow_frame(target.framebuffer);
+    frame.depth_texture = cube;
+    /* Regression: glIsTexture let it pass, and the bind raised a GL error. */
+    glow_refuse(effect, &frame, EW_ERROR_INVALID_ARGUMENT, "depth_texture");
+    assert_int_equal(gl.GetError(), GL_NO_ERROR);
+    frame.depth_texture = 12345;
+    glow_refuse(effect, &frame, EW_ERROR_INVALID_ARGUMENT, "depth_texture");
+
+    frame = glow_frame(target.framebuffer);
+    frame.depth_source = EW_DEPTH_FRAMEBUFFER;
+    glow_refuse(effect, &frame, EW_ERROR_INVALID_ARGUMENT, "depth_source");
+
+    GLuint color = make_float_texture(), depth;
+    static depths values;
+    depth = make_depth_texture(GL_DEPTH_COMPONENT32F, values);
+    frame = glow_frame(make_framebuffer(GL_TEXTURE_2D, color, depth));
+    frame.depth_texture = depth;
+    glow_refuse(effect, &frame, EW_ERROR_INVALID_ARGUMENT, "EW_DEPTH_FRAMEBUFFER");
+    gl.DeleteFramebuffers(1, &frame.framebuffer);
+
+    frame = glow_frame(target.framebuffer);
+    frame.depth_source = EW_DEPTH_TEXTURE_MULTISAMPLE;
+    frame.depth_texture = depth;
+    glow_refuse(effect, &frame, EW_ERROR_INVALID_ARGUMENT, has_multisampled_textures() ? "depth_texture" : "OpenGL ES");
+    if (has_multisampled_textures()) {
+        gl.GenTextures(1, &empty);
+        gl.BindTexture(GL_TEXTURE_2D_MULTISAMPLE, empty);
+        gl.BindTexture(GL_TEXTURE_2D_MULTISAMPLE, 0);
+        frame.depth_texture = empty;
+        glow_refuse(effect, &frame, EW_ERROR_INVALID_ARGUMENT, "storage");
+        gl.DeleteTextures(1, &empty);
+    }
+    gl.DeleteTextures(1, &color);
+    gl.DeleteTextures(1, &depth);
+    gl.DeleteTextures(1, &cube);
+    assert_int_equal(gl.GetError(), GL_NO_ERROR);
+}
+
+int main(int argc, char **argv)
+{
+    for (size_t i = 0; i < sizeof kinds / sizeof kinds[0]; i++) {
+        if (argc != 2 || strcmp(argv[1], kinds[i].name) != 0) continue;
+        context = test_context_create(&kinds[i].desc);
+        if (context == NULL) return 1;
+        test_context_make_current(context);
+        api_load(context);
+        fprintf(stderr, "%s, %s\n", (const char *)gl.GetString(GL_RENDERER), (const char *)gl.GetString(GL_VERSION));
+        effect = glow_create(context);
+        target = canvas_create(WIDTH, HEIGHT, GL_RGBA32F, 0, 0);
+
+        const struct CMUnitTest tests[] = {
+            cmocka_unit_test(every_projection_has_the_luminance_of_the_reference),
+            cmocka_unit_test(every_format_of_a_depth_texture_is_read),
+            cmocka_unit_test(what_the_host_set_on_its_texture_does_not_matter_and_stays),
+            cmocka_unit_test(a_viewport_smaller_than_the_depth_is_a_part_of_the_picture),
+            cmocka_unit_test(the_host_s_scissor_bounds_the_picture),
+            cmocka_unit_test(the_depth_of_a_framebuffer_is_copied_whatever_its_format),
+            cmocka_unit_test(the_copy_of_the_depth_grows_with_the_viewport),
+            cmocka_unit_test(the_depth_of_the_window_is_copied),
+            cmocka_unit_test(a_resolved_picture_is_the_mean_of_its_samples_pictures),
+            cmocka_unit_test(multisampled_depth_on_other_targets_is_the_mean_over_the_samples),
+            cmocka_unit_test(depth_that_cannot_be_read_is_refused_by_name),
+        };
+        int failed = cmocka_run_group_tests_name(kinds[i].name, tests, NULL, NULL);
+        canvas_destroy(&target);
+        ew_destroy_effect(effect);
+        test_context_make_current(NULL);
+        test_context_destroy(context);
+        return failed;
+    }
+    fprintf(stderr, "usage: depth_test CONTEXT\n");
+    return 2;
+}
