@@ -13,6 +13,9 @@ struct ew_frame_block {
     vec4 depth_end;     // likewise of E
     vec4 depth_scale;   // x, y: clip w of S and of E, negated both for reversed-Z; zw: unused
     vec4 decay;         // x: beta, y: epsilon, z: how rough a panel of the adaptive integrator may be, relative to the integral
+    vec4 ray_space_x;   // ray space from the world's axes relative to the eye: x = dot(ray_space_x, vec4(position, 1)), ...
+    vec4 ray_space_y;
+    vec4 ray_space_z;
     ivec4 source_count; // points, lines, tori, curves
     ivec4 simpson;      // x: number of divisions
 };

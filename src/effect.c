@@ -19,6 +19,7 @@ struct ew_effect {
     ew_depth_copy depth_copy;
     GLuint sampler; /* reads depth as it is, whatever the texture's own parameters say */
     GLuint uniform_buffer;
+    char *shader_text; /* what ew_get_shader_text returned last */
 };
 
 static void create_objects(ew_effect *effect)
@@ -68,6 +69,7 @@ void ew_destroy_effect(ew_effect *effect)
     gl->DeleteBuffers(1, &effect->uniform_buffer);
     gl->DeleteVertexArrays(1, &effect->vertex_array);
     ew_scene_destroy(&effect->scene, &allocator);
+    if (effect->shader_text) allocator.deallocate(allocator.user, effect->shader_text);
     allocator.deallocate(allocator.user, effect);
 }
 
@@ -233,4 +235,39 @@ ew_result ew_prepare(ew_effect *effect, const ew_mix *mix, const ew_frame_desc *
     ew_result result = draw_frame(effect, mix, frame, PREPARING, &program, error);
     if (result == EW_OK) *is_ready = program != 0;
     return result;
+}
+
+ew_result ew_get_shader_text(ew_effect *effect, const ew_mix *mix, ew_integrator integrator, const char **text, ew_error *error)
+{
+    if (!effect) return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "effect must not be NULL");
+    if (!text) return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "text must not be NULL");
+    if (integrator != EW_INTEGRATOR_ADAPTIVE && integrator != EW_INTEGRATOR_SIMPSON)
+        return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "integrator must be one of ew_integrator");
+    const ew_allocator *allocator = &effect->allocator;
+    ew_mix current = ew_scene_mix(&effect->scene);
+    unsigned key = ew_program_key(mix ? mix : &current, &(ew_frame_desc){.integrator = integrator});
+    size_t length = ew_program_write_include(effect->capacity, key, NULL);
+    char *made = allocator->allocate(allocator->user, length + 1);
+    if (!made) return ew_fail(error, EW_ERROR_OUT_OF_MEMORY, "no memory for a shader of %zu characters", length);
+    ew_program_write_include(effect->capacity, key, made);
+    if (effect->shader_text) allocator->deallocate(allocator->user, effect->shader_text);
+    *text = effect->shader_text = made;
+    return EW_OK;
+}
+
+ew_result ew_update_uniform_buffer(ew_effect *effect, const ew_frame_desc *frame, unsigned *buffer, ew_error *error)
+{
+    if (!effect) return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "effect must not be NULL");
+    if (!buffer) return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "buffer must not be NULL");
+    ew_result result = ew_validate_frame(frame, error);
+    if (result != EW_OK) return result;
+    struct ew_frame_block block;
+    result = ew_scene_pack(&effect->scene, frame, &block, error);
+    if (result != EW_OK) return result;
+    const ew_gl *gl = &effect->gl;
+    GLuint bound = ew_gl_uniform_buffer(gl);
+    upload(effect, &block);
+    gl->BindBuffer(GL_UNIFORM_BUFFER, bound);
+    *buffer = effect->uniform_buffer;
+    return EW_OK;
 }

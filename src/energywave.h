@@ -401,6 +401,47 @@ typedef struct ew_mix {
  * GL:       as ew_draw, but the picture is left alone. */
 EW_API ew_result ew_prepare(ew_effect *effect, const ew_mix *mix, const ew_frame_desc *frame, int *is_ready, ew_error *error);
 
+/* ---- In the host's own shaders ------------------------------------------------------------------------------------------ */
+
+/* GLSL that computes the light of the sources along any ray: for a forward pass, a deferred one, a ray marcher, in any stage.
+ * The text goes behind `#version 330` or `#version 300 es`, or a later one, and before the first use of
+ *
+ *     float ew_luminance(vec3 origin, vec3 direction, vec2 interval, float opaque);    // B
+ *     vec4 ew_light(vec3 origin, vec3 direction, vec2 interval, float opaque);         // sum B_i color_i, and B
+ *
+ * `origin` is relative to the eye of the frame's view, along the world's axes: zero for view rays, and else a difference that
+ * the host took in double precision. x along the ray is at origin + x direction; S is at x = interval.x and E at x =
+ * interval.y, which is larger; what is opaque is at x = opaque, and hides the rest. Where `direction` has unit view depth, x is
+ * the view depth, and the result is what ew_draw computes for a pixel; `direction` may as well be a unit vector, and x the
+ * distance. The interval may differ from the frame's own and from ray to ray, being 1e-2 to 1e3 times as long. A part of a ray,
+ * seen with the same decay, is a difference: of the light up to its end and that up to its start, given as `opaque`.
+ *
+ * All names of the text start with ew_ or EW_. In OpenGL ES, floats and ints are highp from there on. It has no samplers, reads
+ * no built-in variables, and one uniform block, `ew_uniforms`:
+ *
+ *     glUniformBlockBinding(program, glGetUniformBlockIndex(program, "ew_uniforms"), binding);
+ *     ew_update_uniform_buffer(effect, &frame, &buffer, NULL);    // every frame
+ *     glBindBufferBase(GL_UNIFORM_BUFFER, binding, buffer);
+ *
+ * mix:        what the shader must be able to draw; NULL for the effect's current sources. The sources of the buffer must be as
+ *             the mix says: just as many of a kind where the mix has an exact number, and no weights where it has none.
+ * integrator: of `frame`, the shader takes the quality or the simpson_divisions from the buffer.
+ * text:       receives a string that stays the effect's and is valid up to the next call of this function; left alone on
+ * failure. Errors:     INVALID_ARGUMENT, OUT_OF_MEMORY. GL:         none is called. The text is good for any context whose
+ * uniform blocks are as large. */
+EW_API ew_result ew_get_shader_text(ew_effect *effect, const ew_mix *mix, ew_integrator integrator, const char **text,
+                                    ew_error *error);
+
+/* Fills the buffer of the block `ew_uniforms` with the frame and the current sources.
+ *
+ * frame:  as ew_draw would take it; what counts is the view, the interval (sources must be within 1e6 times its length), the
+ *         decay, the quality and the simpson_divisions.
+ * buffer: receives the buffer's name; left alone on failure. It stays the effect's, is always the same, and holds what it was
+ *         filled with up to the next call of ew_draw, ew_prepare or this function.
+ * Errors: INVALID_ARGUMENT.
+ * GL:     the context must be current. Leaves all state as it was. */
+EW_API ew_result ew_update_uniform_buffer(ew_effect *effect, const ew_frame_desc *frame, unsigned *buffer, ew_error *error);
+
 #ifdef __cplusplus
 }
 #endif

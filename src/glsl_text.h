@@ -15,6 +15,8 @@ extern const char ew_glsl_rest_glsl[];
 extern const char ew_glsl_weight_glsl[];
 extern const char ew_glsl_curve_glsl[];
 extern const char ew_glsl_simpson_glsl[];
+extern const char ew_glsl_light_glsl[];
+extern const char ew_glsl_include_glsl[];
 extern const char ew_glsl_wave_frag[];
 extern const char ew_glsl_quad_vert[];
 

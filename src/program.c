@@ -65,7 +65,7 @@ bool ew_program_covers(unsigned key, unsigned other)
     return true;
 }
 
-/* The files of a fragment shader, in order, and which permutations need each. */
+/* Which permutations need a file. */
 static bool always(unsigned key)
 {
     (void)key;
@@ -122,13 +122,15 @@ static bool integrates_curves(unsigned key)
     return is_adaptive(key) && count_of(key, CURVES) > 0;
 }
 
-static const struct {
+typedef struct shader_file {
     const char *text;
     bool (*is_needed)(unsigned key);
-} fragment_files[] = {
+} shader_file;
+
+/* The files that make up the light along a segment of a ray, in order, */
+static const shader_file light_files[] = {
     {ew_glsl_layout_glsl, always},
     {ew_glsl_blocks_glsl, always},
-    {ew_glsl_depth_glsl, reads_depth},
     {ew_glsl_segment_glsl, always},
     {ew_glsl_weight_glsl, has_weights},
     {ew_glsl_simpson_glsl, is_simpson},
@@ -143,11 +145,21 @@ static const struct {
     {"#define EW_SHAPE ew_arc\n", integrates_curves},
     {ew_glsl_rest_glsl, integrates_curves},
     {"#undef EW_SHAPE\n", integrates_curves},
+    {ew_glsl_light_glsl, always},
+};
+/* and those that make a picture of it. */
+static const shader_file picture_files[] = {
+    {ew_glsl_depth_glsl, reads_depth},
     {ew_glsl_dither_glsl, dithers},
     {ew_glsl_wave_frag, always},
 };
 
-enum { FRAGMENT_FILE_COUNT = sizeof fragment_files / sizeof fragment_files[0], MAX_HEADER_LENGTH = 1024 };
+enum {
+    LIGHT_FILE_COUNT = sizeof light_files / sizeof light_files[0],
+    PICTURE_FILE_COUNT = sizeof picture_files / sizeof picture_files[0],
+    FILE_COUNT = LIGHT_FILE_COUNT + PICTURE_FILE_COUNT,
+    MAX_HEADER_LENGTH = 1024
+};
 
 /* Multisampled textures came to OpenGL with GLSL 1.50, and to OpenGL ES with 3.10. */
 static const char *version_of(const ew_gl *gl, unsigned key)
@@ -163,8 +175,8 @@ static const char *precision_of(const ew_gl *gl, unsigned key)
                               : "precision highp float;\nprecision highp int;\nprecision highp sampler2D;\n";
 }
 
-/* Version, precision and the permutation's defines. */
-static void write_header(char header[MAX_HEADER_LENGTH], const ew_gl *gl, size_t capacity, unsigned key)
+/* The permutation's defines. */
+static void write_defines(char header[MAX_HEADER_LENGTH], size_t capacity, unsigned key)
 {
     static const char *const flags[EW_PROGRAM_FLAG_COUNT] = {"EW_WEIGHTS",   "EW_DEPTH",       "EW_SIMPSON",
                                                              "EW_LUMINANCE", "EW_EVALUATIONS", "EW_DEPTH_MULTISAMPLE",
@@ -173,8 +185,7 @@ static void write_header(char header[MAX_HEADER_LENGTH], const ew_gl *gl, size_t
         const char *lists, *kind, *count;
     } names[KIND_COUNT] = {{"POINTS", "POINT", "x"}, {"LINES", "LINE", "y"}, {"TORI", "TORUS", "z"}, {"CURVES", "CURVE", "w"}};
 
-    int used = snprintf(header, MAX_HEADER_LENGTH, "%s%s#define EW_SOURCE_DATA_SIZE %zu\n", version_of(gl, key),
-                        precision_of(gl, key), capacity);
+    int used = snprintf(header, MAX_HEADER_LENGTH, "#define EW_SOURCE_DATA_SIZE %zu\n", capacity);
     for (int i = 0; i < EW_PROGRAM_FLAG_COUNT; ++i)
         if (key & (1u << i)) used += snprintf(header + used, MAX_HEADER_LENGTH - (size_t)used, "#define %s\n", flags[i]);
     for (int kind = 0; kind < KIND_COUNT; ++kind) {
@@ -207,19 +218,40 @@ static GLuint compile_vertex_shader(const ew_gl *gl, unsigned key)
 
 static GLuint compile_fragment_shader(const ew_gl *gl, size_t capacity, unsigned key)
 {
-    char header[MAX_HEADER_LENGTH];
-    char lines[FRAGMENT_FILE_COUNT][24];
-    const char *strings[1 + 2 * FRAGMENT_FILE_COUNT];
+    char defines[MAX_HEADER_LENGTH];
+    char lines[FILE_COUNT][24];
+    const char *strings[3 + 2 * FILE_COUNT];
     int count = 0;
-    write_header(header, gl, capacity, key);
-    strings[count++] = header;
-    for (int i = 0; i < FRAGMENT_FILE_COUNT; ++i) {
-        if (!fragment_files[i].is_needed(key)) continue;
+    write_defines(defines, capacity, key);
+    strings[count++] = version_of(gl, key);
+    strings[count++] = precision_of(gl, key);
+    strings[count++] = defines;
+    for (int i = 0; i < FILE_COUNT; ++i) {
+        const shader_file *file = i < LIGHT_FILE_COUNT ? &light_files[i] : &picture_files[i - LIGHT_FILE_COUNT];
+        if (!file->is_needed(key)) continue;
         snprintf(lines[i], sizeof lines[i], "#line 1 %d\n", i);
         strings[count++] = lines[i];
-        strings[count++] = fragment_files[i].text;
+        strings[count++] = file->text;
     }
     return compile(gl, GL_FRAGMENT_SHADER, count, strings);
+}
+
+static size_t append(char *text, size_t used, const char *part)
+{
+    size_t length = strlen(part);
+    if (text) memcpy(text + used, part, length + 1);
+    return used + length;
+}
+
+size_t ew_program_write_include(size_t capacity, unsigned key, char *text)
+{
+    char defines[MAX_HEADER_LENGTH];
+    write_defines(defines, capacity, key);
+    size_t used = append(text, 0, "#ifdef GL_ES\nprecision highp float;\nprecision highp int;\n#endif\n");
+    used = append(text, used, defines);
+    for (int i = 0; i < LIGHT_FILE_COUNT; ++i)
+        if (light_files[i].is_needed(key)) used = append(text, used, light_files[i].text);
+    return append(text, used, ew_glsl_include_glsl);
 }
 
 static void assign_bindings(const ew_gl *gl, GLuint program)

@@ -47,4 +47,8 @@ ew_result ew_program_finish(const ew_gl *gl, ew_program *program, ew_error *erro
 
 void ew_program_destroy(const ew_gl *gl, ew_program *program);
 
+/* Writes the light of a permutation, its picture left out, as text to include into a shader that has a version:
+ * zero-terminated. Returns its length; with NULL, does only that. */
+size_t ew_program_write_include(size_t capacity, unsigned key, char *text);
+
 #endif

@@ -649,6 +649,18 @@ static void pack_rays(const ew_frame_desc *frame, const ray_space *space, struct
     block->depth_scale = (ew_vec4){(float)(sign * w_start), (float)sign, 0, 0};
 }
 
+/* The rows that bring what is relative to the eye to ray space, for shaders of the host's. */
+static void pack_ray_space(const ray_space *space, struct ew_frame_block *block)
+{
+    ew_vec4 *const rows[3] = {&block->ray_space_x, &block->ray_space_y, &block->ray_space_z};
+    for (int row = 0; row < 3; ++row) {
+        double scaled[3];
+        for (int column = 0; column < 3; ++column)
+            scaled[column] = element(space->view, row, column) / space->length;
+        *rows[row] = pack(scaled, row == 2 ? space->start / space->length : 0);
+    }
+}
+
 /* How much the three values of a panel may bend, relative to the integral, for the whole to keep the quality's error: measured,
  * not derived (docs/method.md). */
 static double bend_tolerance(ew_quality quality)
@@ -671,6 +683,7 @@ ew_result ew_scene_pack(ew_scene *scene, const ew_frame_desc *frame, struct ew_f
 
     *block = (struct ew_frame_block){0};
     pack_rays(frame, &space, block);
+    pack_ray_space(&space, block);
     block->decay = (ew_vec4){(float)frame->decay_beta, (float)epsilon, (float)bend_tolerance(frame->quality), 0};
     block->source_count = (ew_ivec4){(int)scene->sources.point_count, (int)scene->sources.line_count,
                                      (int)scene->sources.torus_count, (int)scene->sources.curve_count};

@@ -21,6 +21,11 @@ static GLuint get_binding(const ew_gl *gl, GLenum name, GLboolean(APIENTRYP is_o
     return binding != 0 && is_object(binding) ? binding : 0;
 }
 
+GLuint ew_gl_uniform_buffer(const ew_gl *gl)
+{
+    return get_binding(gl, GL_UNIFORM_BUFFER_BINDING, gl->IsBuffer);
+}
+
 /* GL deletes a program that is flagged for deletion as soon as it is not current anywhere, unless it is the active program of
  * a pipeline (OpenGL 4.6 core, 7.3): so a pipeline of our own keeps it. */
 static ew_result keep_program(const ew_gl *gl, ew_gl_state *state, ew_error *error)
@@ -69,7 +74,7 @@ ew_result ew_gl_save_state(const ew_gl *gl, ew_gl_state *state, ew_error *error)
     if (state->transform_feedback_paused) gl->PauseTransformFeedback();
 
     state->vertex_array = (GLuint)get_integer(gl, GL_VERTEX_ARRAY_BINDING);
-    state->uniform_buffer = get_binding(gl, GL_UNIFORM_BUFFER_BINDING, gl->IsBuffer);
+    state->uniform_buffer = ew_gl_uniform_buffer(gl);
     save_uniform_binding(gl, &state->uniform_binding);
 
     state->active_texture = (GLenum)get_integer(gl, GL_ACTIVE_TEXTURE);

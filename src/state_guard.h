@@ -45,6 +45,9 @@ typedef struct ew_gl_state {
     bool capabilities[EW_GL_MAX_CAPABILITIES];
 } ew_gl_state;
 
+/* The buffer that GL_UNIFORM_BUFFER must be returned to. */
+GLuint ew_gl_uniform_buffer(const ew_gl *gl);
+
 /* Where and how the effect draws. */
 typedef struct ew_gl_draw_state {
     GLuint framebuffer;

@@ -114,6 +114,7 @@ static void write_fragment_shader(const bench_peers *peers, integrator_family fa
         add_text(text, "#undef PEER_INTEGRATE\n#undef PEER_SOURCE\n");
     }
     if (counts[CURVES] > 0) add_text(text, ew_glsl_peer_curve_glsl);
+    add_text(text, ew_glsl_light_glsl);
     add_text(text, ew_glsl_wave_frag);
 }
 

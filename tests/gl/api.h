@@ -143,6 +143,7 @@
     X(PFNGLUNIFORM1IPROC, Uniform1i, 0, "")                                                                                    \
     X(PFNGLUNIFORM4FPROC, Uniform4f, 0, "")                                                                                    \
     X(PFNGLUNIFORMBLOCKBINDINGPROC, UniformBlockBinding, 0, "")                                                                \
+    X(PFNGLUNIFORMMATRIX3FVPROC, UniformMatrix3fv, 0, "")                                                                      \
     X(PFNGLUSEPROGRAMPROC, UseProgram, 0, "")                                                                                  \
     X(PFNGLVERTEXATTRIB4FVPROC, VertexAttrib4fv, 0, "")                                                                        \
     X(PFNGLVERTEXATTRIBDIVISORPROC, VertexAttribDivisor, 0, "")                                                                \

@@ -121,6 +121,33 @@ static void write_permutations(const ew_gl *gl, size_t capacity)
     ew_program_cache_destroy(&cache, gl, &ew_default_allocator);
 }
 
+/* The text for hosts' shaders, as the only thing in a shader that uses it: of all kinds, one by one and all at once. */
+static void write_includes(size_t capacity, const char *version)
+{
+    static const ew_mix mixes[] = {
+        {0},
+        {.point_count = 1},
+        {.line_count = 2},
+        {.torus_count = 3},
+        {.curve_count = 4},
+        {EW_ANY_COUNT, EW_ANY_COUNT, EW_ANY_COUNT, EW_ANY_COUNT, 1},
+    };
+    for (size_t i = 0; i < sizeof mixes / sizeof mixes[0]; ++i) {
+        for (int integrator = EW_INTEGRATOR_ADAPTIVE; integrator <= EW_INTEGRATOR_SIMPSON; ++integrator) {
+            unsigned key = ew_program_key(&mixes[i], &(ew_frame_desc){.integrator = (ew_integrator)integrator});
+            char *text = malloc(ew_program_write_include(capacity, key, NULL) + 1);
+            if (!text) exit(EXIT_FAILURE);
+            ew_program_write_include(capacity, key, text);
+            snprintf(shader_name, sizeof shader_name, "%s-include-%05x", profile, key);
+            const char *const strings[] = {version, text, "out vec4 color;\nvoid main()\n{\n",
+                                           "color = ew_light(vec3(0.0), vec3(1.0), vec2(0.0, 1.0), 1.0);\n",
+                                           "color.a = ew_luminance(vec3(0.0), vec3(1.0), vec2(0.0, 1.0), 1.0);\n}\n"};
+            shader_source(FRAGMENT_SHADER, 5, strings, NULL);
+            free(text);
+        }
+    }
+}
+
 int main(int argc, char **argv)
 {
     if (argc != 2) {
@@ -148,8 +175,10 @@ int main(int argc, char **argv)
     size_t smallest = ew_scene_capacity(16384), largest = ew_scene_capacity(65536);
     profile = "330";
     write_permutations(&gl, largest);
+    write_includes(largest, "#version 330\n");
     profile = "300es";
     gl.es = true;
     write_permutations(&gl, smallest);
+    write_includes(smallest, "#version 300 es\n");
     return EXIT_SUCCESS;
 }

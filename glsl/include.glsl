@@ -1,0 +1,27 @@
+// What shaders of the host's call.
+//
+// Rays start at `origin`, relative to the eye, along the axes of the world, and reach origin + x direction at their parameter x.
+// S is at x = interval.x and E at x = interval.y > interval.x; the opaque scene is at x = opaque. With a direction of unit view
+// depth, x is the view depth, as it is in ew_frame_desc; with a unit direction, it is the distance.
+
+// Brings a point (w = 1) or a vector (w = 0) from the host's space to ray space.
+vec3 ew_to_ray_space(vec3 v, float w)
+{
+    vec4 place = vec4(v, w);
+    return vec3(dot(ew_frame.ray_space_x, place), dot(ew_frame.ray_space_y, place), dot(ew_frame.ray_space_z, place));
+}
+
+// sum B_i color_i, and B as the fourth component.
+vec4 ew_light(vec3 origin, vec3 direction, vec2 interval, float opaque)
+{
+    float interval_length = interval.y - interval.x;
+    vec3 start = ew_to_ray_space(origin + interval.x * direction, 1.0);
+    vec3 to_end = ew_to_ray_space(interval_length * direction, 0.0);
+    return ew_integrate_all(ew_segment(start, to_end, clamp((opaque - interval.x) / interval_length, 0.0, 1.0)));
+}
+
+// B.
+float ew_luminance(vec3 origin, vec3 direction, vec2 interval, float opaque)
+{
+    return ew_light(origin, direction, interval, opaque).a;
+}

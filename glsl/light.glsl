@@ -1,0 +1,41 @@
+// The sum over all sources.
+
+// B_i is cut here, far above what any target shows, so that sums and products of it stay finite.
+const float EW_MAX_LUMINANCE = 1e30;
+
+void ew_add(float luminance, vec3 color, inout vec4 sum)
+{
+    luminance = clamp(luminance, 0.0, EW_MAX_LUMINANCE);
+    sum += vec4(luminance * color, luminance);
+}
+
+// The light of all sources along a segment: sum B_i color_i, and sum B_i as the fourth component.
+vec4 ew_integrate_all(ew_segment segment)
+{
+    vec4 sum = vec4(0.0);
+#ifdef EW_POINTS
+    for (int i = 0; i < EW_POINT_COUNT; ++i) {
+        ew_point_block point = ew_point(i);
+        ew_add(point.position.w * ew_integrate_point(segment, point), point.color.rgb, sum);
+    }
+#endif
+#ifdef EW_LINES
+    for (int i = 0; i < EW_LINE_COUNT; ++i) {
+        ew_line_block line = ew_line(i);
+        ew_add(line.position.w * ew_integrate_line(segment, line), line.color.rgb, sum);
+    }
+#endif
+#ifdef EW_TORI
+    for (int i = 0; i < EW_TORUS_COUNT; ++i) {
+        ew_torus_block torus = ew_torus(i);
+        ew_add(torus.center.w * ew_integrate_torus(segment, torus), torus.color.rgb, sum);
+    }
+#endif
+#ifdef EW_CURVES
+    for (int i = 0; i < EW_CURVE_COUNT; ++i) {
+        ew_curve_block curve = ew_curve(i);
+        ew_add(curve.origin.w * ew_integrate_curve(segment, curve), curve.color.rgb, sum);
+    }
+#endif
+    return sum;
+}
