@@ -182,6 +182,26 @@ static bool moves_rigidly(stage *s, const luminance_sum *whole)
     return ok;
 }
 
+/* ---- Another projection ------------------------------------------------------------------------------------------------- */
+
+/* Reversed, in [0, 1] and without a far plane: z of clip space is the near plane's depth, w the view depth. The near plane lies
+ * elsewhere too. Such depth is much finer than the one that it is made of, so that the rays end where they did. */
+static bool depth_may_be_reversed(stage *s, const luminance_sum *whole)
+{
+    static float reversed[PIXEL_COUNT];
+    double near_depth = 0.3 * s->rays.camera.near_depth;
+    luminance_sum other = {{0}, {0}};
+    ew_frame_desc frame = scene_frame(s);
+    frame.clip_depth = EW_CLIP_DEPTH_ZERO_TO_ONE;
+    frame.projection[10] = 0;
+    frame.projection[14] = near_depth;
+    for (int i = 0; i < PIXEL_COUNT; i++)
+        reversed[i] = (float)(near_depth / scene_rays_stored_depth(&s->rays, (double)s->depth[i]));
+    if (!add_picture(s, &s->scene->sources, &frame, reversed, 1, &other)) return false;
+    compare(s, "reversed depth, no far plane", whole, &other, NULL);
+    return true;
+}
+
 /* ---- The interval split ------------------------------------------------------------------------------------------------- */
 
 /* The ray's parameter runs from 0 to 1 over each part again: with s = a + (b - a) u, alpha ds / (s + beta)^2 is
@@ -370,6 +390,7 @@ static bool check_relations(stage *s)
     ew_frame_desc frame = scene_frame(s);
     bool ok = add_picture(s, &s->scene->sources, &frame, s->depth, 1, &whole) && moves_rigidly(s, &whole) &&
               interval_splits(s, &whole, 0.1) && interval_splits(s, &whole, 0.45);
+    if (!s->scene->camera.orthographic) ok = ok && depth_may_be_reversed(s, &whole);
     if (s->scene->sources.curve_count > 0) ok = ok && curves_reverse(s, &whole);
     for (size_t i = 0; ok && i < s->scene->sources.curve_count && i < 3; i++)
         ok = curve_splits(s, i, NULL) && curve_splits(s, i, ramp);
