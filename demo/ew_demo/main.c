@@ -4,6 +4,9 @@
 #include "message.h"
 #include "offscreen.h"
 #include "options.h"
+#ifdef EW_HAVE_GLFW
+#include "window.h"
+#endif
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -13,8 +16,14 @@ enum { EXIT_BAD_INPUT = 2 };
 static bool run(const demo_options *options, char *message, size_t size)
 {
     if (options->offscreen) return offscreen_run(options, message, size);
-    message_write(message, size, "this build has no window; add --offscreen");
+#ifdef EW_HAVE_GLFW
+    return window_run(options, message, size);
+#else
+    message_write(message, size,
+                  "built without GLFW, and so without a window; add --offscreen -o frames/%%05d.png, or install "
+                  "GLFW (on Debian libglfw3-dev) and build again");
     return false;
+#endif
 }
 
 int main(int argc, char **argv)
@@ -22,6 +31,7 @@ int main(int argc, char **argv)
     demo_options options = {.last_frame = 299,
                             .frames_per_second = 30,
                             .settings = {1280, 720, EW_INTEGRATOR_ADAPTIVE, EW_QUALITY_ERROR_1E_3, 200},
+                            .right = {.integrator = EW_INTEGRATOR_SIMPSON, .simpson_divisions = 128},
                             .samples_per_axis = 1,
                             .backend = CONTEXT_AUTO};
     char message[600];

@@ -4,6 +4,7 @@
 #include "image.h"
 #include "message.h"
 #include "stage.h"
+#include "video.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -36,11 +37,14 @@ static bool write_picture(const demo_options *options, int frame, const unsigned
 }
 
 static bool draw_frames(const demo_options *options, demo_stage *stage, demo_animation *animation, const ew_scene *scene,
-                        unsigned char *srgb, char *message, size_t size)
+                        demo_video *video, unsigned char *srgb, char *message, size_t size)
 {
     stage_view view = {.scene = scene,
                        .lit = scene == &animation->scene,
+                       .mode = options->mode,
                        .settings = options->settings,
+                       .split = options->split,
+                       .right = options->right,
                        .samples_per_axis = options->samples_per_axis};
     int total = options->last_frame - options->first_frame + 1;
     for (int i = 0; i < total; i++) {
@@ -50,26 +54,28 @@ static bool draw_frames(const demo_options *options, demo_stage *stage, demo_ani
         if (!stage_draw(stage, &view, message, size)) return false;
         stage_read(stage, srgb);
         if (options->output && !write_picture(options, frame, srgb, message, size)) return false;
+        if (video && !video_write(video, srgb)) return false;
     }
     show_progress(total, total);
     return true;
 }
 
-static bool draw_on_stage(const demo_options *options, gl_context *context, const ew_scene *file_scene, char *message,
+static bool draw_on_stage(const demo_options *options, demo_stage *stage, const ew_scene *file_scene, char *message,
                           size_t size)
 {
     demo_animation *animation = malloc(sizeof *animation);
     unsigned char *srgb = malloc((size_t)options->settings.width * (size_t)options->settings.height * 3);
-    ew_effect_desc desc = {.get_proc_address = context_get_proc_address, .user = context};
-    demo_stage *stage = NULL;
+    demo_video *video = NULL;
     bool ok = false;
     if (!animation || !srgb) {
         message_write(message, size, "--size: the picture does not fit into memory; ask for a smaller one");
-    } else if ((stage = stage_create(context_gl(context), &desc, message, size))) {
+    } else if (!options->video || (video = video_open(options->video, options->settings.width, options->settings.height,
+                                                      options->frames_per_second, message, size))) {
         animation_init(animation);
-        ok = draw_frames(options, stage, animation, file_scene ? file_scene : &animation->scene, srgb, message, size);
+        const ew_scene *scene = file_scene ? file_scene : &animation->scene;
+        ok = draw_frames(options, stage, animation, scene, video, srgb, message, size);
     }
-    stage_destroy(stage);
+    if (video) ok = video_close(video, message, size) && ok;
     free(srgb);
     free(animation);
     return ok;
@@ -80,7 +86,10 @@ bool offscreen_run(const demo_options *options, char *message, size_t size)
     ew_scene scene;
     if (options->scene && !scene_load(options->scene, &scene, message, size)) return false;
     gl_context *context = context_create(options->backend, message, size);
-    bool ok = context && draw_on_stage(options, context, options->scene ? &scene : NULL, message, size);
+    ew_effect_desc desc = {.get_proc_address = context_get_proc_address, .user = context};
+    demo_stage *stage = context ? stage_create(context_gl(context), &desc, message, size) : NULL;
+    bool ok = stage && draw_on_stage(options, stage, options->scene ? &scene : NULL, message, size);
+    stage_destroy(stage);
     context_destroy(context);
     if (options->scene) scene_free(&scene);
     return ok;

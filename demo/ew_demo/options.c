@@ -17,6 +17,9 @@ static const char help[] =
     "      --size WxH          of the window or the pictures, in pixels (default 1280x720)\n"
     "      --integrator NAME   adaptive, or with its largest relative error as in adaptive:1e-2,\n"
     "                          adaptive:1e-3 (default), adaptive:1e-4; or simpson:N, N divisions\n"
+    "      --split NAME        integrate the right half of the picture so\n"
+    "      --show WHAT         picture (default), evaluations: how often each pixel's ray was evaluated; or error: against\n"
+    "                          Simpson's rule with 16384 divisions, which takes long\n"
     "      --samples N         N x N samples a pixel smooth the edges of shapes, 1 (default) to 4\n"
     "      --offscreen         write pictures or a video instead, without a window or a display\n"
     "      --frames A-B        which frames, counted from 0; or one, A (default 0-299, a whole repetition)\n"
@@ -35,6 +38,8 @@ static const char help[] =
 enum {
     OPTION_SIZE = 256,
     OPTION_INTEGRATOR,
+    OPTION_SPLIT,
+    OPTION_SHOW,
     OPTION_SAMPLES,
     OPTION_OFFSCREEN,
     OPTION_FRAMES,
@@ -46,6 +51,8 @@ enum {
 
 static const struct option long_options[] = {{"size", required_argument, NULL, OPTION_SIZE},
                                              {"integrator", required_argument, NULL, OPTION_INTEGRATOR},
+                                             {"split", required_argument, NULL, OPTION_SPLIT},
+                                             {"show", required_argument, NULL, OPTION_SHOW},
                                              {"samples", required_argument, NULL, OPTION_SAMPLES},
                                              {"offscreen", no_argument, NULL, OPTION_OFFSCREEN},
                                              {"frames", required_argument, NULL, OPTION_FRAMES},
@@ -61,6 +68,17 @@ static bool read_number(const char *text, int least, int most, int *number)
 {
     const char *end;
     return read_count(text, &end, number) && *end == '\0' && *number >= least && *number <= most;
+}
+
+static bool read_mode(const char *text, stage_mode *mode)
+{
+    static const char *const names[] = {"picture", "evaluations", "error"};
+    for (int i = 0; i < 3; i++)
+        if (strcmp(text, names[i]) == 0) {
+            *mode = (stage_mode)i;
+            return true;
+        }
+    return false;
 }
 
 static bool read_frames(const char *text, demo_options *options)
@@ -116,6 +134,15 @@ bool options_read(int argc, char **argv, demo_options *options, char *message, s
         case OPTION_INTEGRATOR:
             ok = read_integrator(optarg, &options->settings);
             remedy = "--integrator: " INTEGRATOR_REMEDY;
+            break;
+        case OPTION_SPLIT:
+            options->split = true;
+            ok = read_integrator(optarg, &options->right);
+            remedy = "--split: " INTEGRATOR_REMEDY;
+            break;
+        case OPTION_SHOW:
+            ok = read_mode(optarg, &options->mode);
+            remedy = "--show: must be picture, evaluations or error";
             break;
         case OPTION_SAMPLES:
             ok = read_number(optarg, 1, 4, &options->samples_per_axis);

@@ -6,6 +6,7 @@
 
 #include "context.h"
 #include "render.h"
+#include "stage.h"
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -19,6 +20,9 @@ typedef struct demo_options {
     const char *output; /* a picture's name with one number in it, as in printf; NULL for none */
     const char *video;  /* NULL for none */
     render_settings settings;
+    bool split;
+    render_settings right; /* how to integrate the right half */
+    stage_mode mode;
     int samples_per_axis;
     context_backend backend;
 } demo_options;

@@ -6,5 +6,7 @@ extern const char shader_text_lit_opaque_vert[];
 extern const char shader_text_lit_opaque_frag[];
 extern const char shader_text_screen_vert[];
 extern const char shader_text_film_frag[];
+extern const char shader_text_overlay_vert[];
+extern const char shader_text_overlay_frag[];
 
 #endif

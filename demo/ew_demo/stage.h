@@ -14,8 +14,20 @@
 
 typedef struct demo_stage demo_stage;
 
+typedef enum stage_mode {
+    STAGE_PICTURE,
+    STAGE_EVALUATIONS, /* how often each pixel's ray was evaluated */
+    STAGE_ERROR,       /* against the papers' rule with STAGE_REFERENCE_DIVISIONS */
+} stage_mode;
+
+/* The reference is EW_INTEGRATOR_SIMPSON, which shares no formula with the adaptive integrator, on STAGE_REFERENCE_PARTS
+ * parts of the interval with the most divisions that it takes. Steps longer than epsilon blur the cores; so its own error
+ * shows there. */
+enum { STAGE_REFERENCE_PARTS = 4, STAGE_REFERENCE_DIVISIONS = STAGE_REFERENCE_PARTS * EW_MAX_SIMPSON_DIVISIONS };
+
 typedef struct stage_view {
     const ew_scene *scene;
+    stage_mode mode;
     /* The court's look: stone lit by the energy, and graded film. The shapes of such a scene are taken from the first one
      * drawn. Without it, the picture is ew-render's. */
     bool lit;
@@ -24,7 +36,16 @@ typedef struct stage_view {
     /* Integrate the right half of the picture in another way, of which the size does not count. */
     bool split;
     render_settings right;
+    bool count_evaluations; /* for the statistics of a STAGE_PICTURE, at the cost of a second draw */
 } stage_view;
+
+/* Of the last picture, its left half (or whole) and its right half. Negative where unknown. */
+typedef struct stage_statistics {
+    double gpu_milliseconds; /* that the energy took, a few frames ago */
+    double mean_evaluations; /* a pixel */
+    double largest_error;    /* relative, of STAGE_ERROR */
+    double error_of_99_percent;
+} stage_statistics;
 
 /* Functions and effect are to be those of the current context, and so in every call that follows. NULL, with a message, on
  * failure. */
@@ -36,8 +57,12 @@ bool stage_draw(demo_stage *stage, const stage_view *view, char *message, size_t
 /* Where the last picture stands, from its lower left corner on: GL's name of a framebuffer. */
 GLuint stage_framebuffer(const demo_stage *stage);
 
+void stage_size(const demo_stage *stage, int *width, int *height);
+
 /* The last picture: 3 bytes a pixel, rows from the bottom up. */
 void stage_read(const demo_stage *stage, unsigned char *srgb);
+
+stage_statistics stage_statistics_of(const demo_stage *stage, int half);
 
 /* `stage` may be NULL. */
 void stage_destroy(demo_stage *stage);

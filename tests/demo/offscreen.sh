@@ -51,6 +51,18 @@ if command -v compare > /dev/null; then
     [ "$differing" = 0 ] || complain "$differing pixels of a scene file's picture differ from ew-render's"
 fi
 
+# A video has the frames that were asked for; without ffmpeg, or where it fails, that is said.
+if command -v ffprobe > /dev/null; then
+    draws --fps 4 --frames 3-7 --video video.mp4
+    found=$(ffprobe -v error -count_frames -select_streams v -show_entries stream=width,height,nb_read_frames -of csv=p=0 video.mp4)
+    [ "$found" = 96,54,5 ] || complain "a video of 5 frames is $found"
+    "$ew_demo" --offscreen --size 8x8 --frames 0-3 --video video.nothing > output 2>&1 && complain 'a video of no format is no error'
+    grep -q '^ew-demo: --video: ffmpeg could not write video.nothing' output || complain "ffmpeg's failure is: $(cat output)"
+fi
+mkdir nowhere
+PATH=$PWD/nowhere "$ew_demo" --offscreen --size 8x8 --frames 0 --video none.mp4 > output 2>&1 && complain 'no ffmpeg is no error'
+grep -q '^ew-demo: --video: ffmpeg is not installed' output || complain "without ffmpeg it says: $(cat output)"
+
 [ "$("$ew_demo" --version)" = "ew-demo $version" ] || complain "the version is $("$ew_demo" --version)"
 "$ew_demo" --help | grep -q '^Usage: ew-demo' || complain '--help shows no usage'
 

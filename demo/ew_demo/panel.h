@@ -1,0 +1,35 @@
+/*
+ * What stands over the picture in the window: what is seen, how fast, and the keys.
+ */
+#ifndef PANEL_H
+#define PANEL_H
+
+#include "overlay.h"
+#include "render.h"
+#include "stage.h"
+
+#include <stdbool.h>
+
+typedef struct panel_view {
+    const char *scene_name;
+    const char *gl_name;
+    double seconds;
+    int frames_per_second;
+    double time_scale;
+    bool is_paused;
+    bool is_animated;
+    double frame_milliseconds;
+    stage_mode mode;
+    bool split;
+    render_settings integrators[2];
+    stage_statistics statistics[2];
+    bool shows_panel;
+    bool shows_keys;
+    const char *notice; /* empty for none */
+    const char *error;  /* what is wrong with the scene file; empty for nothing */
+} panel_view;
+
+/* Draws it over the bound framebuffer; `scale` is that of the monitor, 1 where letters need not be larger. */
+void panel_draw(demo_overlay *overlay, const panel_view *view, int width, int height, double scale);
+
+#endif
