@@ -28,7 +28,7 @@ static const char help[] =
     "      --integrators LIST  separated by commas: adaptive:1e-2, adaptive:1e-3, adaptive:1e-4, simpson:N (N divisions),\n"
     "                          marching:N, equiangular:N (N samples), bare (a pass that only writes a constant);\n"
     "                          by default all that a report compares\n"
-    "      --repetitions N     frames that are timed, 3 or more (default 15); fewer of what takes more than 2 s for that\n"
+    "      --repetitions N     frames that are timed, 3 or more (default 15); fewer of what takes more than 1.5 s for that\n"
     "      --error-samples N   pixels that are compared with the reference (default 4096)\n"
     "      --csv FILE          writes the measurements as comma-separated rows, scene by scene\n"
     "      --report FOLDER     writes FOLDER/speed-and-error.md, with plots drawn by gnuplot\n"

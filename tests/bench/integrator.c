@@ -9,7 +9,7 @@
 const char *const integrator_family_names[FAMILY_COUNT] = {"adaptive", "simpson", "marching", "equiangular", "bare"};
 
 const char integrator_default_list[] = "bare,adaptive:1e-2,adaptive:1e-3,adaptive:1e-4,"
-                                       "simpson:16,simpson:32,simpson:64,simpson:128,simpson:200,simpson:256,simpson:512,"
+                                       "simpson:16,simpson:32,simpson:64,simpson:128,simpson:200,simpson:512,"
                                        "marching:16,marching:32,marching:64,marching:128,marching:256,"
                                        "equiangular:16,equiangular:32,equiangular:64,equiangular:128,equiangular:256";
 

@@ -10,7 +10,7 @@
 
 /* The fewest repetitions of any frame, and the milliseconds after which an integrator is not repeated more often than that. */
 #define MEASURE_MIN_REPETITIONS 3
-#define MEASURE_BUDGET 2000.0
+#define MEASURE_BUDGET 1500.0
 
 typedef struct measure_settings {
     int width;

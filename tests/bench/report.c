@@ -80,6 +80,25 @@ static void write_summary(FILE *file, const bench_results *results)
     fputs("\n", file);
 }
 
+/* What the table comes to. */
+static void write_conclusion(FILE *file, const bench_results *results)
+{
+    double slowest = HUGE_VAL, fastest = 0, worst = 0, peer_best = HUGE_VAL, peer_worst = 0;
+    for (size_t i = 0; i < results->scene_count; i++) {
+        const bench_scene *scene = &results->scenes[i];
+        const measurement *a = results_find(results, scene, ours), *b = results_find(results, scene, published);
+        slowest = fmin(slowest, b->ms_median / a->ms_median);
+        fastest = fmax(fastest, b->ms_median / a->ms_median);
+        worst = fmax(worst, a->max_error);
+        peer_best = fmin(peer_best, b->max_error);
+        peer_worst = fmax(peer_worst, b->max_error);
+    }
+    fprintf(file, "On these scenes `%s` is %s to %s times as fast as `%s`. ", ours, number(slowest), number(fastest),
+            published);
+    fprintf(file, "Its largest error is %s, that of `%s` from %s to %s.\n\n", number(worst), published, number(peer_best),
+            number(peer_worst));
+}
+
 /* Whether some setting of the adaptive integrator is at least as fast and as accurate. */
 static bool is_beaten(const bench_results *results, const bench_scene *scene, const measurement *peer)
 {
@@ -121,6 +140,8 @@ static void write_sentences(FILE *file, const bench_results *results, const benc
         fprintf(file, "; the other %zu of its %zu peers lie right of and above one.\n\n", peers - unbeaten, peers);
     else if (unbeaten > 0)
         fprintf(file, ", which are all of its peers.\n\n");
+    else if (peers == 1)
+        fprintf(file, "Its only peer lies right of and above a setting of `adaptive`.\n\n");
     else if (peers > 0)
         fprintf(file, "Each of the %zu peers lies right of and above a setting of `adaptive`.\n\n", peers);
 }
@@ -150,8 +171,10 @@ static void write_table(FILE *file, const bench_results *results, const bench_sc
 static void write_page(FILE *file, const bench_results *results, const char *base)
 {
     write_introduction(file, results);
-    if (results_find(results, &results->scenes[0], ours) && results_find(results, &results->scenes[0], published))
+    if (results_find(results, &results->scenes[0], ours) && results_find(results, &results->scenes[0], published)) {
         write_summary(file, results);
+        write_conclusion(file, results);
+    }
     for (size_t i = 0; i < results->scene_count; i++) {
         const bench_scene *scene = &results->scenes[i];
         fprintf(file, "## %s\n\n", scene->name);
