@@ -15,7 +15,6 @@ struct ew_effect {
     size_t capacity; /* units of sources */
     ew_scene scene;
     ew_program_cache programs;
-    GLuint vertex_array;
     ew_depth_copy depth_copy;
     GLuint sampler; /* reads depth as it is, whatever the texture's own parameters say */
     GLuint uniform_buffer;
@@ -25,7 +24,6 @@ struct ew_effect {
 static void create_objects(ew_effect *effect)
 {
     const ew_gl *gl = &effect->gl;
-    gl->GenVertexArrays(1, &effect->vertex_array);
     gl->GenBuffers(1, &effect->uniform_buffer);
     gl->GenSamplers(1, &effect->sampler);
     gl->SamplerParameteri(effect->sampler, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
@@ -67,7 +65,6 @@ void ew_destroy_effect(ew_effect *effect)
     ew_depth_copy_destroy(&effect->depth_copy, gl);
     gl->DeleteSamplers(1, &effect->sampler);
     gl->DeleteBuffers(1, &effect->uniform_buffer);
-    gl->DeleteVertexArrays(1, &effect->vertex_array);
     ew_scene_destroy(&effect->scene, &allocator);
     if (effect->shader_text) allocator.deallocate(allocator.user, effect->shader_text);
     allocator.deallocate(allocator.user, effect);
@@ -155,11 +152,15 @@ static ew_result draw(ew_effect *effect, const ew_frame_desc *frame, const struc
     upload(effect, block);
     gl->BindBufferBase(GL_UNIFORM_BUFFER, EW_GL_UNIFORM_BINDING, effect->uniform_buffer);
     gl->UseProgram(program);
-    gl->BindVertexArray(effect->vertex_array);
+    /* Vertex arrays are not shared between contexts, and one without attributes costs nothing to make. */
+    GLuint vertex_array;
+    gl->GenVertexArrays(1, &vertex_array);
+    gl->BindVertexArray(vertex_array);
     if (depth.samples > 0)
         draw_samples(gl, program, depth.samples, first_vertex);
     else
         draw_quad(gl, first_vertex);
+    gl->DeleteVertexArrays(1, &vertex_array);
     ew_opaque_depth_release(gl, &depth);
     return EW_OK;
 }

@@ -33,9 +33,14 @@
  * holds the same code and a sentence that names the field and says what to mend. A failed call changes nothing: neither the
  * effect, nor GL state, nor the picture. The library never prints and never aborts.
  *
- * Threads. An effect belongs to the context in which it was created. Any function that takes one must be called on the thread
- * on which that context (or one that shares its objects) is current, one call at a time. Different effects are independent.
- * The functions without an effect are pure.
+ * Threads. An effect belongs to the context in which it was created, and as well to all that share objects with it and were
+ * created alike: the same API, version, profile and loader. A function that takes an effect must be called on a thread on which
+ * one of these contexts is current, one call at a time; different effects are independent, on different threads too. The
+ * library has no threads, locks or variables of its own, so keeping two calls for one effect apart is the host's part; and when
+ * an effect goes from one context to another, so is what GL asks for there: a glFinish in the first, or a fence that the second
+ * waits for. So a loader's thread may create and prepare (ew_prepare) an effect on a context of its own, for another thread to
+ * draw. What contexts do not share is the host's to name in each: a frame's `framebuffer` is one of the current context. The
+ * functions without an effect are pure.
  *
  * GL. The library creates no context and links no GL. It needs OpenGL 3.3 core or OpenGL ES 3.0. Each call leaves all GL state
  * as it found it, unless the frame says `skip_restore`.
@@ -204,7 +209,7 @@ typedef struct ew_effect_desc {
  * desc:   must not be NULL, nor its get_proc_address, nor one of its allocator's functions.
  * effect: receives the effect, to be given to ew_destroy_effect; left alone on failure.
  * Errors: INVALID_ARGUMENT, OUT_OF_MEMORY, MISSING_FUNCTION, UNSUPPORTED_CONTEXT, OPENGL.
- * GL:     the context must be current. Creates buffers and a vertex array; leaves all state as it was. */
+ * GL:     the context must be current. Leaves all state as it was. */
 EW_API ew_result ew_create_effect(const ew_effect_desc *desc, ew_effect **effect, ew_error *error);
 
 /* Replaces the effect's sources. All is copied. May be called every frame: memory is only allocated for more than there was

@@ -134,14 +134,17 @@ static ew_depth_copy ask_depth(const ew_gl *gl, bool is_window)
     return asked;
 }
 
-static void create_objects(ew_depth_copy *copy, const ew_gl *gl)
+/* A framebuffer of the copy's texture, bound. It is made for one copy only: contexts that share objects do not share it. */
+static GLuint make_framebuffer(const ew_depth_copy *copy, const ew_gl *gl)
 {
-    gl->GenTextures(1, &copy->texture);
-    gl->GenFramebuffers(1, &copy->framebuffer);
-    gl->BindFramebuffer(GL_FRAMEBUFFER, copy->framebuffer);
+    GLuint framebuffer;
+    gl->GenFramebuffers(1, &framebuffer);
+    gl->BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     /* Before OpenGL 4.1 a framebuffer whose colour buffers are missing is incomplete. */
     gl->DrawBuffers(1, &(GLenum){GL_NONE});
     gl->ReadBuffer(GL_NONE);
+    if (copy->width > 0) gl->FramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, copy->texture, 0);
+    return framebuffer;
 }
 
 /* Gives the copy's texture, which is bound, new storage. With a pixel unpack buffer bound, GL would fill it from there. */
@@ -208,11 +211,9 @@ static bool try_formats(const ew_depth_copy *copy, const ew_gl *gl, const rectan
     return false;
 }
 
-static ew_result copy_depth(ew_depth_copy *copy, const ew_gl *gl, const ew_frame_desc *frame, ew_error *error)
+/* From the framebuffer that is bound for reading to the one of the copy, bound for drawing. */
+static ew_result copy_between(ew_depth_copy *copy, const ew_gl *gl, const ew_frame_desc *frame, ew_error *error)
 {
-    if (!copy->framebuffer) create_objects(copy, gl);
-    gl->BindFramebuffer(GL_READ_FRAMEBUFFER, frame->framebuffer);
-    gl->BindFramebuffer(GL_DRAW_FRAMEBUFFER, copy->framebuffer);
     gl->BindTexture(GL_TEXTURE_2D, copy->texture);
 
     ew_depth_copy wanted = ask_depth(gl, frame->framebuffer == 0);
@@ -230,7 +231,6 @@ static ew_result copy_depth(ew_depth_copy *copy, const ew_gl *gl, const ew_frame
         return EW_OK;
     }
 
-    wanted.framebuffer = copy->framebuffer;
     wanted.texture = copy->texture;
     wanted.width = same_format && copy->width > area.right ? copy->width : area.right;
     wanted.height = same_format && copy->height > area.top ? copy->height : area.top;
@@ -244,9 +244,18 @@ static ew_result copy_depth(ew_depth_copy *copy, const ew_gl *gl, const ew_frame
     return EW_OK;
 }
 
+static ew_result copy_depth(ew_depth_copy *copy, const ew_gl *gl, const ew_frame_desc *frame, ew_error *error)
+{
+    if (!copy->texture) gl->GenTextures(1, &copy->texture);
+    GLuint framebuffer = make_framebuffer(copy, gl);
+    gl->BindFramebuffer(GL_READ_FRAMEBUFFER, frame->framebuffer);
+    ew_result result = copy_between(copy, gl, frame, error);
+    gl->DeleteFramebuffers(1, &framebuffer);
+    return result;
+}
+
 void ew_depth_copy_destroy(ew_depth_copy *copy, const ew_gl *gl)
 {
-    gl->DeleteFramebuffers(1, &copy->framebuffer);
     gl->DeleteTextures(1, &copy->texture);
     *copy = (ew_depth_copy){0};
 }

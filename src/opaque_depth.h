@@ -5,9 +5,8 @@
 
 #include "gl.h"
 
-/* A framebuffer's depth, copied; starts as {0} and keeps its objects from frame to frame. */
+/* A framebuffer's depth, copied; starts as {0} and keeps its texture from frame to frame. */
 typedef struct ew_depth_copy {
-    GLuint framebuffer;
     GLuint texture;
     GLint depth_bits, stencil_bits, component_type; /* of the framebuffer that the texture's format was found for */
     GLsizei width, height;                          /* 0 x 0: no storage yet */

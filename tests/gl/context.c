@@ -9,7 +9,7 @@ struct test_context {
     void *native;
 };
 
-static const test_platform *current_platform;
+static _Thread_local const test_platform *current_platform;
 
 test_context *test_context_create(const test_context_desc *desc)
 {

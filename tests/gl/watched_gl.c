@@ -2,6 +2,7 @@
 #include "watched_gl.h"
 
 #include <GL/glcorearb.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -170,5 +171,10 @@ ew_gl_function watched_gl_get_proc_address(void *user, const char *name)
     (void)user;
     for (size_t i = 0; i < sizeof replaced / sizeof replaced[0]; i++)
         if (strcmp(name, replaced[i].name) == 0) return replaced[i].function;
+    /* An object that is not counted would be lost unseen. */
+    if (strncmp(name, "glGen", 5) == 0 || strncmp(name, "glCreate", 8) == 0) {
+        fprintf(stderr, "%s is not watched\n", name);
+        abort();
+    }
     return test_context_get_proc_address(watched->context, name);
 }
