@@ -75,6 +75,7 @@ static void *paint(void *argument)
 static void two_effects_draw_at_once_on_two_threads(void **state)
 {
     (void)state;
+    test_context_make_current(context);
     const ew_effect_desc desc = {.get_proc_address = test_context_get_proc_address, .user = context};
     picture expected[SOURCE_COUNTS];
     for (size_t i = 0; i < SOURCE_COUNTS; i++) {
@@ -132,6 +133,7 @@ static void *load(void *argument)
 static void an_effect_prepared_on_one_thread_draws_on_another(void **state)
 {
     (void)state;
+    test_context_make_current(context);
     test_context *shared = open_context(kind, context);
     assert_non_null(shared);
     test_context_make_current(context);
@@ -156,16 +158,14 @@ static void an_effect_prepared_on_one_thread_draws_on_another(void **state)
     test_context_destroy(shared);
 }
 
-/* Framebuffers and vertex arrays are not shared: each context has its own, under names that may mean something else in the
- * other. */
+/* Framebuffers and vertex arrays are not shared. */
 static void an_effect_goes_to_and_fro_between_contexts(void **state)
 {
     (void)state;
+    test_context_make_current(context);
     test_context *contexts[2] = {context, open_context(kind, context)};
     GLuint framebuffers[2];
     assert_non_null(contexts[1]);
-    GLuint bystanders[3];
-    gl.GenVertexArrays(3, bystanders);
     GLuint depth;
     gl.GenRenderbuffers(1, &depth);
     gl.BindRenderbuffer(GL_RENDERBUFFER, depth);
