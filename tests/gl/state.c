@@ -514,6 +514,46 @@ static void take_framebuffers(state *taken, const state_objects *objects)
     gl.BindFramebuffer(GL_READ_FRAMEBUFFER, (GLuint)read);
 }
 
+static void take_textures(state *taken, const state_objects *objects)
+{
+    static const struct {
+        const char *name;
+        GLenum enumerator;
+        availability when;
+        bool sampled; /* not a parameter of multisampled textures */
+    } parameters[] = {
+        {Q(GL_TEXTURE_SWIZZLE_R), ALL, false},
+        {Q(GL_TEXTURE_SWIZZLE_G), ALL, false},
+        {Q(GL_TEXTURE_SWIZZLE_B), ALL, false},
+        {Q(GL_TEXTURE_SWIZZLE_A), ALL, false},
+        {Q(GL_DEPTH_STENCIL_TEXTURE_MODE), {43, 31, "GL_ARB_stencil_texturing"}, false},
+        {Q(GL_TEXTURE_BASE_LEVEL), ALL, true},
+        {Q(GL_TEXTURE_MAX_LEVEL), ALL, true},
+        {Q(GL_TEXTURE_MIN_FILTER), ALL, true},
+        {Q(GL_TEXTURE_MAG_FILTER), ALL, true},
+        {Q(GL_TEXTURE_COMPARE_MODE), ALL, true},
+        {Q(GL_DEPTH_TEXTURE_MODE), COMPAT, true},
+    };
+    GLint active = integer(GL_ACTIVE_TEXTURE), bound[2] = {0};
+    bool multisampled = api_has(33, 31, NULL);
+    gl.ActiveTexture(GL_TEXTURE0);
+    bound[0] = integer(GL_TEXTURE_BINDING_2D);
+    if (multisampled) bound[1] = integer(GL_TEXTURE_BINDING_2D_MULTISAMPLE);
+    for (int i = 0; i < objects->texture_count; i++) {
+        GLenum target = objects->textures[i].target;
+        gl.BindTexture(target, objects->textures[i].name);
+        for (size_t j = 0; j < sizeof parameters / sizeof parameters[0]; j++) {
+            if (!available(&parameters[j].when) || (parameters[j].sampled && target != GL_TEXTURE_2D)) continue;
+            GLint value = 0;
+            gl.GetTexParameteriv(target, parameters[j].enumerator, &value);
+            add(taken, parameters[j].name, i, 0, value);
+        }
+    }
+    gl.BindTexture(GL_TEXTURE_2D, (GLuint)bound[0]);
+    if (multisampled) gl.BindTexture(GL_TEXTURE_2D_MULTISAMPLE, (GLuint)bound[1]);
+    gl.ActiveTexture((GLenum)active);
+}
+
 static void take_objects(state *taken, const state_objects *objects)
 {
     for (int i = 0; i < objects->buffer_count; i++) {
@@ -580,6 +620,7 @@ void state_take(state *taken, const state_objects *objects)
     take_vertex_arrays(taken, objects);
     take_framebuffers(taken, objects);
     take_objects(taken, objects);
+    take_textures(taken, objects);
     if (gl.compatibility) take_compatibility(taken);
 }
 

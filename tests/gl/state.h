@@ -19,6 +19,11 @@ typedef struct state {
     size_t capacity;
 } state;
 
+typedef struct state_texture {
+    GLenum target; /* GL_TEXTURE_2D or GL_TEXTURE_2D_MULTISAMPLE */
+    GLuint name;
+} state_texture;
+
 /* The objects whose own state belongs to what is compared. */
 typedef struct state_objects {
     const GLuint *framebuffers;
@@ -31,6 +36,8 @@ typedef struct state_objects {
     int sampler_count;
     const GLuint *programs;
     int program_count;
+    const state_texture *textures;
+    int texture_count;
 } state_objects;
 
 /* Adds all of the current context's state to `taken`, which starts as {0}, and leaves that state as it was. */

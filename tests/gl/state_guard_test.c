@@ -3,6 +3,7 @@
  *     state_guard_test CONTEXT    one of the names in `kinds`
  *
  * Two contexts share their objects: a clean one, which prepares the targets and reads the pictures, and a scrambled one. */
+#include "compatibility.h"
 #include "scramble.h"
 #include "state_guard.h"
 
@@ -14,11 +15,11 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { WIDTH = 32, HEIGHT = 24 };
+enum { WIDTH = 32, HEIGHT = 24, SAMPLES = 4 };
 
 /* As many that every capability is the only one enabled before a draw to every target. The effect takes fewer: its shaders are
  * slow to compile, anew for much of the state that changes. */
-enum { GUARD_SEEDS = 400, EFFECT_SEEDS = 60, LIFE_SEEDS = 10 };
+enum { GUARD_SEEDS = 400, EFFECT_SEEDS = 36, LIFE_SEEDS = 18, DIRTY_SEEDS = 24 };
 
 static const struct {
     const char *name;
@@ -48,7 +49,7 @@ enum { CLEAN, SCRAMBLED };
 static test_target targets[] = {
     {.name = "RGBA8", .format = GL_RGBA8},
     {.name = "RGBA32F", .format = GL_RGBA32F},
-    {.name = "RGBA8 with 4 samples", .format = GL_RGBA8, .samples = 4},
+    {.name = "SRGB8_ALPHA8 with 4 samples", .format = GL_SRGB8_ALPHA8, .samples = SAMPLES},
 };
 enum { TARGET_COUNT = sizeof targets / sizeof targets[0] };
 
@@ -60,7 +61,15 @@ static test_context *contexts[2];
 static test_host host;
 static GLuint resolve_framebuffer; /* of the clean context */
 static GLuint incomplete_framebuffers[2];
+static GLuint depthless_framebuffers[2];
 static GLuint depth_texture;
+
+/* The host's depth textures, set to what no shader of the library's could read, and a cube map. */
+enum { ODD_DEPTH, MULTISAMPLED_DEPTH, HOST_DEPTH_COUNT };
+static state_texture host_depth[HOST_DEPTH_COUNT] = {{.target = GL_TEXTURE_2D}, {.target = GL_TEXTURE_2D_MULTISAMPLE}};
+static GLuint cube_texture;
+
+static unsigned long long current_seed;
 
 static bool watching;
 static int debug_messages;
@@ -94,12 +103,80 @@ static GLuint make_framebuffer(const test_target *target)
     return framebuffer;
 }
 
+static GLuint make_depthless_framebuffer(void)
+{
+    GLuint framebuffer;
+    gl.GenFramebuffers(1, &framebuffer);
+    gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, targets[0].images[0]);
+    return framebuffer;
+}
+
 static GLuint make_incomplete_framebuffer(void)
 {
     GLuint framebuffer;
     gl.GenFramebuffers(1, &framebuffer);
     gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     return framebuffer;
+}
+
+static bool has_multisampled_textures(void)
+{
+    return api_has(33, 31, NULL);
+}
+
+static GLuint make_multisampled_depth(GLfloat depth)
+{
+    GLuint texture, framebuffer;
+    gl.GenTextures(1, &texture);
+    gl.BindTexture(GL_TEXTURE_2D_MULTISAMPLE, texture);
+    if (gl.es)
+        gl.TexStorage2DMultisample(GL_TEXTURE_2D_MULTISAMPLE, SAMPLES, GL_DEPTH_COMPONENT32F, WIDTH, HEIGHT, GL_TRUE);
+    else
+        gl.TexImage2DMultisample(GL_TEXTURE_2D_MULTISAMPLE, SAMPLES, GL_DEPTH_COMPONENT32F, WIDTH, HEIGHT, GL_TRUE);
+    gl.TexParameteri(GL_TEXTURE_2D_MULTISAMPLE, GL_TEXTURE_SWIZZLE_R, GL_ONE);
+    gl.GenFramebuffers(1, &framebuffer);
+    gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    gl.DrawBuffers(1, &(GLenum){GL_NONE});
+    gl.ReadBuffer(GL_NONE);
+    gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D_MULTISAMPLE, texture, 0);
+    gl.ClearBufferfv(GL_DEPTH, 0, &depth);
+    gl.DeleteFramebuffers(1, &framebuffer);
+    gl.BindTexture(GL_TEXTURE_2D_MULTISAMPLE, 0);
+    return texture;
+}
+
+static void make_depth_textures(void)
+{
+    GLfloat depth[HEIGHT][WIDTH];
+    GLuint packed[HEIGHT][WIDTH];
+    for (int y = 0; y < HEIGHT; y++)
+        for (int x = 0; x < WIDTH; x++) {
+            depth[y][x] = 1 - 0.05f * (GLfloat)(x + y) / (WIDTH + HEIGHT);
+            packed[y][x] = (GLuint)(depth[y][x] * 16777215) << 8 | 0x5A;
+        }
+    gl.GenTextures(1, &depth_texture);
+    gl.BindTexture(GL_TEXTURE_2D, depth_texture);
+    gl.TexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT32F, WIDTH, HEIGHT, 0, GL_DEPTH_COMPONENT, GL_FLOAT, depth);
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
+
+    GLuint odd;
+    gl.GenTextures(1, &odd);
+    gl.BindTexture(GL_TEXTURE_2D, odd);
+    gl.TexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH24_STENCIL8, WIDTH, HEIGHT, 0, GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8, packed);
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_SWIZZLE_R, GL_ZERO);
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_BASE_LEVEL, 2);
+    if (api_has(43, 31, "GL_ARB_stencil_texturing"))
+        gl.TexParameteri(GL_TEXTURE_2D, GL_DEPTH_STENCIL_TEXTURE_MODE, GL_STENCIL_INDEX);
+    if (gl.compatibility) gl.TexParameteri(GL_TEXTURE_2D, GL_DEPTH_TEXTURE_MODE, GL_ALPHA);
+    gl.BindTexture(GL_TEXTURE_2D, 0);
+    host_depth[ODD_DEPTH].name = odd;
+    if (has_multisampled_textures()) host_depth[MULTISAMPLED_DEPTH].name = make_multisampled_depth(0.96f);
+
+    gl.GenTextures(1, &cube_texture);
+    gl.BindTexture(GL_TEXTURE_CUBE_MAP, cube_texture);
+    gl.BindTexture(GL_TEXTURE_CUBE_MAP, 0);
 }
 
 static void make_targets(void)
@@ -117,20 +194,12 @@ static void make_targets(void)
     GLuint resolved;
     gl.GenRenderbuffers(1, &resolved);
     gl.BindRenderbuffer(GL_RENDERBUFFER, resolved);
-    gl.RenderbufferStorage(GL_RENDERBUFFER, GL_RGBA8, WIDTH, HEIGHT);
+    gl.RenderbufferStorage(GL_RENDERBUFFER, GL_SRGB8_ALPHA8, WIDTH, HEIGHT);
     gl.GenFramebuffers(1, &resolve_framebuffer);
     gl.BindFramebuffer(GL_FRAMEBUFFER, resolve_framebuffer);
     gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, resolved);
 
-    GLfloat depth[HEIGHT][WIDTH];
-    for (int y = 0; y < HEIGHT; y++)
-        for (int x = 0; x < WIDTH; x++)
-            depth[y][x] = 1 - 0.05f * (GLfloat)(x + y) / (WIDTH + HEIGHT);
-    gl.GenTextures(1, &depth_texture);
-    gl.BindTexture(GL_TEXTURE_2D, depth_texture);
-    gl.TexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT32F, WIDTH, HEIGHT, 0, GL_DEPTH_COMPONENT, GL_FLOAT, depth);
-    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
-    gl.BindTexture(GL_TEXTURE_2D, 0);
+    make_depth_textures();
 }
 
 static const GLfloat before_color[4] = {0.25f, 0.5f, 0.75f, 0.5f};
@@ -143,7 +212,7 @@ static void clear_target(const test_target *target)
     gl.DrawBuffers(2, both);
     gl.ClearBufferfv(GL_COLOR, 0, before_color);
     gl.ClearBufferfv(GL_COLOR, 1, before_color);
-    gl.ClearBufferfi(GL_DEPTH_STENCIL, 0, 0.5f, 0x5A);
+    gl.ClearBufferfi(GL_DEPTH_STENCIL, 0, 0.95f, 0x5A);
     gl.DrawBuffers(1, both);
 }
 
@@ -257,6 +326,8 @@ static test_outcome draw_scrambled(const test_subject *subject, const test_targe
     state_objects objects = host_objects(&host);
     objects.framebuffers = &target->framebuffers[SCRAMBLED];
     objects.framebuffer_count = 1;
+    objects.textures = host_depth;
+    objects.texture_count = has_multisampled_textures() ? HOST_DEPTH_COUNT : 1;
     state_take(&before, &objects);
     *wish = ask_wish();
     assert_int_equal(gl.GetError(), GL_NO_ERROR);
@@ -290,6 +361,7 @@ static void check_neutrality(const test_subject *subject, int seeds)
     for (unsigned long long seed = 1; seed <= (unsigned)seeds && failures < 5; seed++) {
         const test_target *target = &targets[seed / 2 % TARGET_COUNT];
         host_wish wish;
+        current_seed = seed;
         test_outcome outcome = draw_scrambled(subject, target, seed, &wish);
         make_current(CLEAN);
         read_picture(target, GL_COLOR_ATTACHMENT0, &found);
@@ -384,6 +456,16 @@ static void draw_quad(int context)
     gl.DrawArrays(GL_TRIANGLE_STRIP, 0, 4);
 }
 
+static bool is_srgb(const test_target *target)
+{
+    return target->format == GL_SRGB8_ALPHA8;
+}
+
+static bool has_srgb_switch(void)
+{
+    return api_has(33, NEVER, "GL_EXT_sRGB_write_control");
+}
+
 /* The clean context does without the guard, whose mistakes would be the same in both. */
 static void draw_without_guard(const test_target *target)
 {
@@ -391,9 +473,11 @@ static void draw_without_guard(const test_target *target)
     gl.Viewport(0, 0, WIDTH, HEIGHT);
     gl.Enable(GL_BLEND);
     gl.BlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_DST_ALPHA, GL_ONE);
+    if (has_srgb_switch()) (is_srgb(target) ? gl.Enable : gl.Disable)(GL_FRAMEBUFFER_SRGB);
     draw_quad(CLEAN);
     gl.UseProgram(0);
     gl.Disable(GL_BLEND);
+    if (has_srgb_switch()) gl.Disable(GL_FRAMEBUFFER_SRGB);
 }
 
 static void guarded_draw(int context, const test_target *target)
@@ -411,6 +495,7 @@ static void guarded_draw(int context, const test_target *target)
         .destination_rgb = GL_ONE_MINUS_SRC_ALPHA,
         .source_alpha = GL_DST_ALPHA,
         .destination_alpha = GL_ONE,
+        .framebuffer_srgb = is_srgb(target),
     };
     ew_gl_state saved;
     ew_error error = {.text = ""};
@@ -419,6 +504,13 @@ static void guarded_draw(int context, const test_target *target)
     ew_gl_set_draw_state(guarded, &saved, &draw_state);
     expect_capabilities_off();
     draw_quad(context);
+    /* as for multisampled depth, and a copy of the framebuffer's */
+    if (has_multisampled_textures()) {
+        gl.BindTexture(GL_TEXTURE_2D_MULTISAMPLE, host_depth[MULTISAMPLED_DEPTH].name);
+        gl.SampleMaski(0, 0x55);
+    }
+    if (!gl.es) gl.Enable(GL_MULTISAMPLE);
+    gl.BindFramebuffer(GL_READ_FRAMEBUFFER, target->framebuffers[context]);
     gl.ActiveTexture(GL_TEXTURE0 + EW_GL_DEPTH_TEXTURE_UNIT + 1);
     ew_gl_restore_state(guarded, &saved);
 }
@@ -452,9 +544,19 @@ static void effect_destroy(int context)
     effects[context] = NULL;
 }
 
+/* Each source of depth comes to every target. */
+static void choose_depth(ew_frame_desc *frame)
+{
+    const ew_depth_source sources[] = {EW_DEPTH_TEXTURE, EW_DEPTH_FRAMEBUFFER, EW_DEPTH_TEXTURE_MULTISAMPLE};
+    frame->depth_source = sources[current_seed / (2 * TARGET_COUNT) % (has_multisampled_textures() ? 3 : 2)];
+    if (frame->depth_source == EW_DEPTH_TEXTURE) frame->depth_texture = host_depth[ODD_DEPTH].name;
+    if (frame->depth_source == EW_DEPTH_TEXTURE_MULTISAMPLE) frame->depth_texture = host_depth[MULTISAMPLED_DEPTH].name;
+}
+
 static ew_frame_desc effect_frame(int context, const test_target *target)
 {
     static const ew_output outputs[TARGET_COUNT] = {EW_OUTPUT_LERP, EW_OUTPUT_LUMINANCE, EW_OUTPUT_ADD};
+    static const ew_encoding encodings[TARGET_COUNT] = {EW_ENCODING_LINEAR_8BIT, EW_ENCODING_FLOAT, EW_ENCODING_SRGB_8BIT};
     ew_frame_desc frame = EW_FRAME_DEFAULTS;
     frame.view[14] = -3;
     frame.interval_start = 1;
@@ -463,7 +565,9 @@ static ew_frame_desc effect_frame(int context, const test_target *target)
     frame.framebuffer = target->framebuffers[context];
     frame.viewport_width = WIDTH;
     frame.viewport_height = HEIGHT;
-    frame.depth_texture = depth_texture;
+    frame.encoding = encodings[target - targets];
+    frame.dither = 1;
+    choose_depth(&frame);
     return frame;
 }
 
@@ -522,13 +626,23 @@ static void effect_draw_after_failures(int context, const test_target *target)
     frame.framebuffer = 12345;
     expect_failure(context, &frame, EW_ERROR_INVALID_ARGUMENT);
     frame = effect_frame(context, target);
+    frame.depth_source = EW_DEPTH_TEXTURE;
     frame.depth_texture = 12345;
     expect_failure(context, &frame, EW_ERROR_INVALID_ARGUMENT);
     frame = effect_frame(context, target);
     frame.framebuffer = incomplete_framebuffers[context];
     bool watched = watching;
-    watching = false; /* Mesa says what an incomplete framebuffer lacks */
+    watching = false; /* Mesa says what an incomplete framebuffer lacks, and what is wrong with a texture */
     expect_failure(context, &frame, EW_ERROR_OPENGL);
+    frame = effect_frame(context, target);
+    frame.depth_source = EW_DEPTH_TEXTURE;
+    frame.depth_texture = cube_texture;
+    expect_failure(context, &frame, EW_ERROR_INVALID_ARGUMENT);
+    frame.depth_source = EW_DEPTH_TEXTURE_MULTISAMPLE;
+    expect_failure(context, &frame, EW_ERROR_INVALID_ARGUMENT);
+    frame.depth_source = EW_DEPTH_FRAMEBUFFER;
+    frame.framebuffer = depthless_framebuffers[context];
+    expect_failure(context, &frame, EW_ERROR_INVALID_ARGUMENT);
     watching = watched;
     effect_draw(context, target);
 }
@@ -538,6 +652,160 @@ static void failed_draws_leave_all_state(void **unused)
     (void)unused;
     static const test_subject subject = {effect_draw_after_failures, effect_create, effect_destroy};
     check_neutrality(&subject, LIFE_SEEDS);
+}
+
+/* ---- Without restoration --------------------------------------------------------------------------------------------------
+ */
+
+/* What energywave.h says that a draw with skip_restore leaves changed: the names of tests/gl/state.c; of those with an index,
+ * the first. */
+static struct dirty_state {
+    const char *name;
+    bool known; /* in this context */
+    bool seen;
+} dirty_states[] = {
+    {.name = "GL_CURRENT_PROGRAM"},
+    {.name = "GL_VERTEX_ARRAY_BINDING"},
+    {.name = "GL_ELEMENT_ARRAY_BUFFER_BINDING"},
+    {.name = "GL_UNIFORM_BUFFER_BINDING"},
+    {.name = "GL_UNIFORM_BUFFER"},
+    {.name = "GL_ACTIVE_TEXTURE"},
+    {.name = "GL_SAMPLER_BINDING"},
+    {.name = "GL_TEXTURE_BINDING_2D"},
+    {.name = "GL_TEXTURE_BINDING_2D_MULTISAMPLE"},
+    {.name = "GL_DRAW_FRAMEBUFFER_BINDING"},
+    {.name = "GL_READ_FRAMEBUFFER_BINDING"},
+    {.name = "GL_VIEWPORT"},
+    {.name = "GL_VIEWPORT of the array"},
+    {.name = "GL_BLEND"},
+    {.name = "GL_BLEND of a draw buffer"},
+    {.name = "GL_BLEND_SRC_RGB"},
+    {.name = "GL_BLEND_DST_RGB"},
+    {.name = "GL_BLEND_SRC_ALPHA"},
+    {.name = "GL_BLEND_DST_ALPHA"},
+    {.name = "GL_BLEND_EQUATION_RGB"},
+    {.name = "GL_BLEND_EQUATION_ALPHA"},
+    {.name = "GL_COLOR_WRITEMASK"},
+    {.name = "GL_COLOR_WRITEMASK of a draw buffer"},
+    {.name = "GL_SAMPLE_MASK_VALUE"},
+    {.name = "GL_POLYGON_MODE"},
+    {.name = "GL_CLAMP_FRAGMENT_COLOR"},
+    {.name = "GL_CULL_FACE"},
+    {.name = "GL_DEPTH_TEST"},
+    {.name = "GL_STENCIL_TEST"},
+    {.name = "GL_RASTERIZER_DISCARD"},
+    {.name = "GL_FRAMEBUFFER_SRGB"},
+    {.name = "GL_MULTISAMPLE"},
+    {.name = "GL_SAMPLE_ALPHA_TO_COVERAGE"},
+    {.name = "GL_SAMPLE_ALPHA_TO_ONE"},
+    {.name = "GL_SAMPLE_COVERAGE"},
+    {.name = "GL_SAMPLE_MASK"},
+    {.name = "GL_SAMPLE_SHADING"},
+    {.name = "GL_POLYGON_SMOOTH"},
+    {.name = "GL_COLOR_LOGIC_OP"},
+    {.name = "GL_PRIMITIVE_RESTART"},
+    {.name = "GL_CLIP_DISTANCE0"},
+    {.name = "GL_CLIP_DISTANCE1"},
+    {.name = "GL_CLIP_DISTANCE2"},
+    {.name = "GL_CLIP_DISTANCE3"},
+    {.name = "GL_CLIP_DISTANCE4"},
+    {.name = "GL_CLIP_DISTANCE5"},
+    {.name = "GL_CLIP_DISTANCE6"},
+    {.name = "GL_CLIP_DISTANCE7"},
+    {.name = "GL_ALPHA_TEST"},
+    {.name = "GL_POLYGON_STIPPLE"},
+    {.name = "GL_DEPTH_BOUNDS_TEST_EXT"},
+    /* What GL tells of these is no larger than the draw framebuffer's stencil buffer can hold. */
+    {.name = "GL_STENCIL_REF"},
+    {.name = "GL_STENCIL_BACK_REF"},
+};
+enum { DIRTY_COUNT = sizeof dirty_states / sizeof dirty_states[0] };
+
+static struct dirty_state *find_dirty(const state_value *value)
+{
+    for (int i = 0; i < DIRTY_COUNT; i++)
+        if (strcmp(dirty_states[i].name, value->name) == 0) return &dirty_states[i];
+    return NULL;
+}
+
+/* Counts the differences that are not on the list, and marks those that are. */
+static int count_undocumented_differences(const state *before, const state *after)
+{
+    int undocumented = 0;
+    assert_int_equal(before->count, after->count);
+    for (size_t i = 0; i < before->count; i++) {
+        const state_value *old = &before->values[i], *new = &after->values[i];
+        struct dirty_state *dirty = find_dirty(old);
+        if (dirty) dirty->known = true;
+        if (old->value == new->value) continue;
+        if (dirty && old->index == 0) {
+            dirty->seen = true;
+        } else if (undocumented++ < 10) {
+            fprintf(stderr, "%s [%d].%d was %.9g, is %.9g\n", old->name, old->index, old->component, old->value, new->value);
+        }
+    }
+    return undocumented;
+}
+
+/* Draws with and without success from a state that is already scrambled. */
+static void draw_without_restoring(const test_target *target)
+{
+    ew_frame_desc frame = effect_frame(SCRAMBLED, target);
+    frame.skip_restore = 1;
+    ew_error error = {.text = ""};
+    frame.depth_source = EW_DEPTH_TEXTURE;
+    frame.depth_texture = 12345;
+    expect_failure(SCRAMBLED, &frame, EW_ERROR_INVALID_ARGUMENT);
+    choose_depth(&frame);
+    if (ew_draw(effects[SCRAMBLED], &frame, &error) != EW_OK) fail_msg("%s", error.text);
+}
+
+static void without_restoration_only_what_is_documented_is_dirty(void **unused)
+{
+    (void)unused;
+    static state before, after;
+    static test_picture expected, found;
+    make_current(CLEAN);
+    effect_create(CLEAN);
+    make_current(SCRAMBLED);
+    effect_create(SCRAMBLED);
+    for (current_seed = 1; current_seed <= DIRTY_SEEDS; current_seed++) {
+        const test_target *target = &targets[current_seed / 2 % TARGET_COUNT];
+        make_current(CLEAN);
+        clear_target(target);
+        gl.Finish();
+        make_current(SCRAMBLED);
+        host_scramble(&host, current_seed, false);
+        host_settle(&host); /* transform feedback must not be active */
+        if (target->samples > 0) gl.Disable(GL_SCISSOR_TEST);
+        scramble_draw_buffers(target);
+        const host_wish wish = ask_wish();
+        state_objects objects = host_objects(&host);
+        objects.framebuffers = &target->framebuffers[SCRAMBLED];
+        objects.framebuffer_count = 1;
+        objects.textures = host_depth;
+        objects.texture_count = has_multisampled_textures() ? HOST_DEPTH_COUNT : 1;
+        state_take(&before, &objects);
+        draw_without_restoring(target);
+        state_take(&after, &objects);
+        assert_int_equal(count_undocumented_differences(&before, &after), 0);
+        assert_int_equal(gl.GetError(), GL_NO_ERROR);
+        gl.Finish();
+        make_current(CLEAN);
+        read_picture(target, GL_COLOR_ATTACHMENT0, &found);
+        const test_subject subject = {effect_draw, create_nothing, create_nothing};
+        draw_clean(&subject, target, &wish, &expected);
+        assert_int_equal(count_different_pixels(&found, &expected), 0);
+        state_free(&before);
+        state_free(&after);
+    }
+    for (int i = 0; i < DIRTY_COUNT; i++)
+        if (dirty_states[i].known && !dirty_states[i].seen)
+            fail_msg("%s is documented as dirty, but never is", dirty_states[i].name);
+    make_current(SCRAMBLED);
+    effect_destroy(SCRAMBLED);
+    make_current(CLEAN);
+    effect_destroy(CLEAN);
 }
 
 /* Draws with `program` in use, which is the caller's to prepare, and expects a refusal that says `text`, or success if NULL. */
@@ -610,29 +878,43 @@ static void objects_that_another_context_deleted_do_not_come_back(void **unused)
     effect_create(SCRAMBLED);
     host_scramble(&host, 1, false);
     host_settle(&host);
-    GLuint texture, sampler, buffer;
+    GLuint texture, multisampled = 0, sampler, buffer;
     gl.GenTextures(1, &texture);
     gl.ActiveTexture(GL_TEXTURE0 + EW_GL_DEPTH_TEXTURE_UNIT);
     gl.BindTexture(GL_TEXTURE_2D, texture);
+    if (has_multisampled_textures()) {
+        gl.GenTextures(1, &multisampled);
+        gl.BindTexture(GL_TEXTURE_2D_MULTISAMPLE, multisampled);
+    }
     gl.GenSamplers(1, &sampler);
     gl.BindSampler(EW_GL_DEPTH_TEXTURE_UNIT, sampler);
     gl.GenBuffers(1, &buffer);
     gl.BindBufferBase(GL_UNIFORM_BUFFER, EW_GL_UNIFORM_BINDING, buffer);
+    gl.BindBuffer(GL_PIXEL_UNPACK_BUFFER, buffer);
     gl.Finish();
     make_current(CLEAN);
     gl.DeleteTextures(1, &texture);
+    gl.DeleteTextures(1, &multisampled);
     gl.DeleteSamplers(1, &sampler);
     gl.DeleteBuffers(1, &buffer);
     gl.Finish();
 
     make_current(SCRAMBLED);
-    effect_draw(SCRAMBLED, &targets[0]);
+    for (current_seed = 0; current_seed < 6 * TARGET_COUNT; current_seed += 2 * TARGET_COUNT)
+        effect_draw(SCRAMBLED, &targets[0]);
     assert_int_equal(gl.GetError(), GL_NO_ERROR);
     assert_false(gl.IsTexture(texture));
+    assert_false(multisampled && gl.IsTexture(multisampled));
     assert_false(gl.IsSampler(sampler));
     assert_false(gl.IsBuffer(buffer));
     GLint bound = -1;
     gl.GetIntegerv(GL_TEXTURE_BINDING_2D, &bound);
+    assert_int_equal(bound, 0);
+    if (has_multisampled_textures()) {
+        gl.GetIntegerv(GL_TEXTURE_BINDING_2D_MULTISAMPLE, &bound);
+        assert_int_equal(bound, 0);
+    }
+    gl.GetIntegerv(GL_PIXEL_UNPACK_BUFFER_BINDING, &bound);
     assert_int_equal(bound, 0);
     gl.GetIntegerv(GL_SAMPLER_BINDING, &bound);
     assert_int_equal(bound, 0);
@@ -658,10 +940,12 @@ int main(int argc, char **argv)
         watch_debug_messages();
         make_targets();
         incomplete_framebuffers[CLEAN] = make_incomplete_framebuffer();
+        depthless_framebuffers[CLEAN] = make_depthless_framebuffer();
         make_current(SCRAMBLED);
         watch_debug_messages();
         host_create(&host);
         incomplete_framebuffers[SCRAMBLED] = make_incomplete_framebuffer();
+        depthless_framebuffers[SCRAMBLED] = make_depthless_framebuffer();
         for (int j = 0; j < TARGET_COUNT; j++)
             targets[j].framebuffers[SCRAMBLED] = make_framebuffer(&targets[j]);
         fprintf(stderr, "%s, %s\n", (const char *)gl.GetString(GL_RENDERER), (const char *)gl.GetString(GL_VERSION));
@@ -671,6 +955,7 @@ int main(int argc, char **argv)
             cmocka_unit_test(preparing_and_drawing_leave_all_state_and_the_picture_is_clean),
             cmocka_unit_test(create_and_destroy_leave_all_state),
             cmocka_unit_test(failed_draws_leave_all_state),
+            cmocka_unit_test(without_restoration_only_what_is_documented_is_dirty),
             cmocka_unit_test(a_program_that_cannot_be_restored_is_refused),
             cmocka_unit_test(the_window_s_framebuffer_is_drawn_to_if_there_is_one),
             cmocka_unit_test(objects_that_another_context_deleted_do_not_come_back),
