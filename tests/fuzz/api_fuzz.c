@@ -231,6 +231,36 @@ static void try_sources(fuzzer *f, const random_desc *desc, const ew_sources_des
     }
 }
 
+/* The calls that draw nothing leave the picture alone, whatever the frame is. */
+static void try_other_calls(fuzzer *f, const shader_mix *sources, const ew_frame_desc *frame)
+{
+    const size_t any = random_index(&f->random, 2) ? SIZE_MAX : EW_ANY_COUNT;
+    const ew_mix mix = {sources->points < EW_ANY_COUNT ? sources->points : any,
+                        sources->lines < EW_ANY_COUNT ? sources->lines : any,
+                        sources->tori < EW_ANY_COUNT ? sources->tori : any,
+                        sources->curves < EW_ANY_COUNT ? sources->curves : any, sources->weighted};
+    ew_error error, untouched;
+    memset(&error, 0x55, sizeof error);
+    untouched = error;
+    int is_ready = -1;
+    unsigned buffer = 0;
+    const char *text = NULL;
+    memcpy(f->before, f->after, sizeof f->before);
+    ew_result result = ew_prepare(f->effect, random_index(&f->random, 2) ? &mix : NULL, frame, &is_ready, &error);
+    check_error(f, result, &error, &untouched);
+    require(f, result == EW_OK ? is_ready == 0 || is_ready == 1 : is_ready == -1, "is_ready is neither set nor left alone");
+    error = untouched;
+    result = ew_update_uniform_buffer(f->effect, frame, &buffer, &error);
+    check_error(f, result, &error, &untouched);
+    require(f, (result == EW_OK) == (buffer != 0), "the uniform buffer's name is neither set nor left alone");
+    error = untouched;
+    result = ew_get_shader_text(f->effect, &mix, frame->integrator, &text, &error);
+    check_error(f, result, &error, &untouched);
+    require(f, (result == EW_OK) == (text != NULL), "the shader's text is neither set nor left alone");
+    read_target(f, f->after);
+    require(f, memcmp(f->before, f->after, sizeof f->before) == 0, "a call that draws nothing changes the picture");
+}
+
 /* A framebuffer or a texture that is not there, not complete, of another kind or in use. */
 static void spoil_target(fuzzer *f, ew_frame_desc *frame)
 {
@@ -272,25 +302,23 @@ static void run_case(fuzzer *f)
         break;
     case 3:
         spoil_frame_number(&desc, &f->random);
-        draw(f, &desc.frame);
         break;
     case 4:
         spoil_all_frame_numbers(&desc, &f->random);
-        draw(f, &desc.frame);
         break;
     case 5:
         spoil_frame_integer(&desc, &f->random);
-        draw(f, &desc.frame);
         break;
     case 6:
         spoil_target(f, &desc.frame);
-        draw(f, &desc.frame);
         break;
     default:
         try_sources(f, &desc, NULL, drawable);
         draw(f, NULL);
         break;
     }
+    draw(f, &desc.frame);
+    try_other_calls(f, mix, &desc.frame);
 }
 
 int main(int argc, char **argv)
