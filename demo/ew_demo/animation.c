@@ -3,7 +3,8 @@
 #include "vector.h"
 
 static const double blue[3] = {0.08, 0.36, 1.0};
-static const double amber[3] = {1.0, 0.36, 0.06};
+static const double teal[3] = {0.10, 0.75, 1.0};
+static const double amber[3] = {1.0, 0.30, 0.03};
 static const double rose[3] = {1.0, 0.08, 0.24};
 
 /* When, in each repetition, the orb fires, and how long it glows after. */
@@ -78,10 +79,10 @@ static void set_bolt(demo_animation *a, double seconds)
     double middle[3], end[3];
     aim(since, reach, end);
     aim(since - 0.45, 0.5 * reach, middle);
-    middle[1] += 2.2;
+    middle[1] += 3.0;
     ew_curve *curve = &a->curves[ANIMATION_BOLT];
     set_bezier(curve, court_orb, middle, end);
-    curve->coefficient = 4.6 * ramp(0, 0.12, since) * (1 - ramp(bolt_seconds - 1.1, bolt_seconds, since));
+    curve->coefficient = 5.2 * ramp(0, 0.12, since) * (1 - ramp(bolt_seconds - 1.1, bolt_seconds, since));
     double *weights = a->weights[ANIMATION_BOLT];
     /* So fast that the next pulse starts before the last has arrived. */
     double pulse[ANIMATION_WEIGHTS], period = 0.75;
@@ -96,7 +97,7 @@ static void set_ring(demo_animation *a, double seconds)
     double since = fmod(seconds - fire_second + ANIMATION_SECONDS, ANIMATION_SECONDS);
     double left = 1 - ramp(0, ring_seconds, since);
     a->ring.radius = 0.4 + 15 * (1 - exp(-0.75 * since));
-    a->ring.coefficient = 1.7 * ramp(0, 0.15, since) * left;
+    a->ring.coefficient = 1.6 * ramp(0, 0.15, since) * left;
 }
 
 /* Thrown, it turns about its middle while it flies round the steps. */
@@ -132,8 +133,8 @@ void animation_init(demo_animation *a)
     vector_copy(court_orb, a->orb.position);
     vector_copy(blue, a->orb.color);
     vector_copy(court_orb, a->ring.center);
-    vector_copy((double[3]){0.10, 1, 0.06}, a->ring.axis);
-    vector_copy(amber, a->ring.color);
+    vector_copy((double[3]){0.22, 1, 0.16}, a->ring.axis);
+    vector_copy(teal, a->ring.color);
     for (int i = 0; i < ANIMATION_CURVES; i++) {
         ew_curve *curve = &a->curves[i];
         curve->domain[1] = 1;

@@ -5,8 +5,8 @@
 const double court_orb[3] = {0, 3.3, 0};
 const double court_emitters[2][3] = {{-6.4, 2.05, 2.2}, {5.8, 2.05, 0.6}};
 
-static const double stone[3] = {0.30, 0.31, 0.34};
-static const double dark_stone[3] = {0.17, 0.18, 0.21};
+static const double stone[3] = {0.26, 0.27, 0.30};
+static const double dark_stone[3] = {0.10, 0.105, 0.12};
 static const double metal[3] = {0.10, 0.105, 0.12};
 
 typedef struct shape_list {

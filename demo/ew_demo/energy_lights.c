@@ -5,7 +5,7 @@
 enum { LIGHTS_OF_A_TORUS = 12, LIGHTS_OF_A_CURVE = 8 };
 
 /* How much light a source gives off for each metre and unit of its coefficient. */
-static const double brightness = 0.3;
+static const double brightness = 0.2;
 
 typedef struct light_list {
     energy_light *lights;

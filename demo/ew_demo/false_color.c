@@ -24,11 +24,3 @@ double false_color_of_evaluations(double evaluations)
 {
     return log(1 + evaluations) / log(1.0 + FALSE_COLOR_MOST_EVALUATIONS);
 }
-
-void false_color_errors(float *luminances, const double *reference, size_t count, double largest)
-{
-    for (size_t i = 0; i < count; i++) {
-        double scale = fmax(reference[i], 1e-3 * largest);
-        luminances[i] = scale > 0 ? (float)(fabs((double)luminances[i] - reference[i]) / scale) : 0;
-    }
-}

@@ -4,8 +4,6 @@
 #ifndef FALSE_COLOR_H
 #define FALSE_COLOR_H
 
-#include <stddef.h>
-
 /* The ends of the scale of errors, which is logarithmic. */
 #define FALSE_COLOR_LEAST_ERROR 1e-6
 #define FALSE_COLOR_LARGEST_ERROR 1e-1
@@ -18,9 +16,5 @@ void false_color_at(double at, unsigned char srgb[3]);
 /* Where a relative error or a number of evaluations stands on its scale. */
 double false_color_of_error(double error);
 double false_color_of_evaluations(double evaluations);
-
-/* The errors of `count` luminances against `reference`, relative to max(reference, 1e-3 of `largest`), which is to be the
- * picture's largest reference; in place. */
-void false_color_errors(float *luminances, const double *reference, size_t count, double largest);
 
 #endif

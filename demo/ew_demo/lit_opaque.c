@@ -116,22 +116,33 @@ static void set_vector(const lit_opaque *lit, const char *name, const double vec
     gl->Uniform3f(gl->GetUniformLocation(lit->program, name), (float)vector[0], (float)vector[1], (float)vector[2]);
 }
 
-static void set_uniforms(const lit_opaque *lit, const ew_scene *scene, double aspect)
+static void set_uniforms(const lit_opaque *lit, const lit_opaque_view *how)
 {
+    const ew_scene *scene = how->scene;
     const gl_functions *gl = lit->gl;
-    double view[16], projection[16], moon[3];
+    double view[16], projection[16], moon[3], eye[3];
     float view_projection[16];
     camera_view(&scene->camera, view);
-    camera_projection(&scene->camera, aspect, projection);
+    camera_projection(&scene->camera, (double)how->width / how->height, projection);
+    vector_copy(scene->camera.eye, eye);
+    if (how->is_mirrored) {
+        for (int row = 0; row < 4; row++)
+            view[4 + row] = -view[4 + row];
+        eye[1] = -eye[1];
+    }
     multiply(projection, view, view_projection);
     gl->UniformMatrix4fv(gl->GetUniformLocation(lit->program, "view_projection"), 1, GL_FALSE, view_projection);
     vector_normalize(to_moon, moon);
     set_vector(lit, "to_moon", moon);
-    set_vector(lit, "eye", scene->camera.eye);
+    set_vector(lit, "eye", eye);
     set_vector(lit, "background", scene->background);
     gl->Uniform1i(gl->GetUniformLocation(lit->program, "shape_count"), lit->shape_count);
     gl->Uniform4fv(gl->GetUniformLocation(lit->program, "shape_center"), lit->shape_count, lit->centers[0]);
     gl->Uniform4fv(gl->GetUniformLocation(lit->program, "shape_extent"), lit->shape_count, lit->extents[0]);
+    gl->Uniform1i(gl->GetUniformLocation(lit->program, "is_mirrored"), how->is_mirrored);
+    gl->Uniform1i(gl->GetUniformLocation(lit->program, "reflects"), how->reflection != 0);
+    gl->Uniform1i(gl->GetUniformLocation(lit->program, "reflection"), 0);
+    gl->Uniform2f(gl->GetUniformLocation(lit->program, "pixel"), 1.0f / (float)how->width, 1.0f / (float)how->height);
     energy_light lights[ENERGY_MAX_LIGHTS];
     GLsizei count = (GLsizei)energy_make_lights(&scene->sources, lights);
     float positions[ENERGY_MAX_LIGHTS][4], colors[ENERGY_MAX_LIGHTS][4];
@@ -145,23 +156,26 @@ static void set_uniforms(const lit_opaque *lit, const ew_scene *scene, double as
     gl->Uniform4fv(gl->GetUniformLocation(lit->program, "light_color"), count, colors[0]);
 }
 
-void lit_opaque_draw(const lit_opaque *lit, const ew_scene *scene, int width, int height)
+void lit_opaque_draw(const lit_opaque *lit, const lit_opaque_view *view)
 {
     const gl_functions *gl = lit->gl;
-    const float background[4] = {(float)scene->background[0], (float)scene->background[1], (float)scene->background[2], 1};
-    const float farthest = 1;
-    gl->Viewport(0, 0, width, height);
-    gl->ClearBufferfv(GL_COLOR, 0, background);
+    const double *background = view->scene->background;
+    const float color[4] = {(float)background[0], (float)background[1], (float)background[2], 1}, farthest = 1;
+    gl->Viewport(0, 0, view->width, view->height);
+    gl->ClearBufferfv(GL_COLOR, 0, color);
     gl->ClearBufferfv(GL_DEPTH, 0, &farthest);
     gl->UseProgram(lit->program);
-    set_uniforms(lit, scene, (double)width / height);
+    set_uniforms(lit, view);
+    gl->BindTexture(GL_TEXTURE_2D, view->reflection);
     gl->BindVertexArray(lit->vertex_array);
     gl->Enable(GL_DEPTH_TEST);
-    gl->Enable(GL_CULL_FACE);
+    /* A mirror turns the triangles round. */
+    if (!view->is_mirrored) gl->Enable(GL_CULL_FACE);
     gl->DrawElements(GL_TRIANGLES, lit->index_count, GL_UNSIGNED_INT, NULL);
     gl->Disable(GL_CULL_FACE);
     gl->Disable(GL_DEPTH_TEST);
     gl->BindVertexArray(0);
+    gl->BindTexture(GL_TEXTURE_2D, 0);
     gl->UseProgram(0);
 }
 

@@ -16,8 +16,16 @@ typedef struct lit_opaque lit_opaque;
  * message, on failure. */
 lit_opaque *lit_opaque_create(const gl_functions *gl, const ew_scene *scene, char *message, size_t size);
 
+typedef struct lit_opaque_view {
+    const ew_scene *scene;
+    int width;
+    int height;
+    bool is_mirrored;  /* at the floor, y = 0, of which nothing is drawn then */
+    GLuint reflection; /* what the floor mirrors, a texture as large as the picture or smaller; 0 for nothing */
+} lit_opaque_view;
+
 /* Clears the bound framebuffer's colour and depth and draws the shapes into it, in the light of the scene's sources. */
-void lit_opaque_draw(const lit_opaque *lit, const ew_scene *scene, int width, int height);
+void lit_opaque_draw(const lit_opaque *lit, const lit_opaque_view *view);
 
 /* `lit` may be NULL. */
 void lit_opaque_destroy(lit_opaque *lit);

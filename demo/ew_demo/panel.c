@@ -80,11 +80,12 @@ static void describe_half(text_lines *lines, const panel_view *view, int half)
     char name[40];
     name_integrator(&view->integrators[half], name);
     add(lines, "%s%s", view->split ? half ? "right: " : "left: " : "", name);
-    if (statistics->mean_evaluations >= 0) add(lines, ", %.1f evaluations a pixel", statistics->mean_evaluations);
+    if (statistics->map.mean_evaluations >= 0) add(lines, ", %.1f evaluations a pixel", statistics->map.mean_evaluations);
     if (view->mode == STAGE_PICTURE && statistics->gpu_milliseconds >= 0)
         add(lines, ", GPU %.2f ms", statistics->gpu_milliseconds);
     if (view->mode == STAGE_ERROR)
-        add(lines, "\n    error at most %.1e, 99 %% below %.1e", statistics->largest_error, statistics->error_of_99_percent);
+        add(lines, "\n    error at most %.1e, 99 %% below %.1e", statistics->map.largest_error,
+            statistics->map.error_of_99_percent);
     add(lines, "\n");
 }
 
@@ -109,7 +110,7 @@ static void draw_scale(demo_overlay *overlay, const panel_view *view, int width,
     char text[200];
     if (is_error)
         snprintf(text, sizeof text, "relative error, %g to %g, against Simpson's rule with %d divisions",
-                 FALSE_COLOR_LEAST_ERROR, FALSE_COLOR_LARGEST_ERROR, STAGE_REFERENCE_DIVISIONS);
+                 FALSE_COLOR_LEAST_ERROR, FALSE_COLOR_LARGEST_ERROR, MAP_REFERENCE_DIVISIONS);
     else
         snprintf(text, sizeof text, "evaluations a pixel, %d to %d", 0, FALSE_COLOR_MOST_EVALUATIONS);
     double text_width = overlay_text_width(text, scale);

@@ -1,12 +1,12 @@
 /* A scene becomes a picture: see stage.h. */
 #include "stage.h"
-#include "false_color.h"
+#include "film.h"
 #include "gpu_timer.h"
 #include "lit_opaque.h"
+#include "map.h"
 #include "message.h"
 #include "opaque.h"
-#include "shader.h"
-#include "shader_text.h"
+#include "reflection.h"
 #include "texture.h"
 
 #include <math.h>
@@ -19,8 +19,8 @@ struct demo_stage {
     const gl_functions *gl;
     ew_effect *effect;
     lit_opaque *lit;
-    GLuint film;
-    GLuint no_vertices;
+    demo_film film;
+    floor_reflection reflection;
     GLuint meter;
     GLuint meter_framebuffer;
 
@@ -87,31 +87,33 @@ demo_stage *stage_create(const gl_functions *gl, const ew_effect_desc *desc, cha
         return NULL;
     }
     stage->gl = gl;
-    gl->GenVertexArrays(1, &stage->no_vertices);
     for (int half = 0; half < 2; half++)
         gpu_timer_create(gl, &stage->timers[half]);
     bool complete = true;
     stage->meter = texture_create(gl, METER_WIDTH, METER_HEIGHT, GL_R32F, GL_RED);
     stage->meter_framebuffer = texture_framebuffer(gl, stage->meter, 0, &complete);
-    stage->film = shader_link(gl, shader_text_screen_vert, shader_text_film_frag, "the film's", message, size);
-    if (stage->film && complete) return stage;
-    if (stage->film) message_write(message, size, "GL cannot make a float target; update the GL driver");
+    if (!complete) message_write(message, size, "GL cannot make a float target; update the GL driver");
+    if (complete && film_create(gl, &stage->film, message, size)) return stage;
     stage_destroy(stage);
     return NULL;
 }
 
-static bool draw_opaque(demo_stage *stage, const stage_view *view, int width, int height, char *message, size_t size)
+/* The court, with what its floor mirrors. */
+static ew_result draw_court(demo_stage *stage, const stage_view *view, double sensitivity, ew_error *error)
 {
-    if (view->lit && !stage->lit) stage->lit = lit_opaque_create(stage->gl, view->scene, message, size);
-    if (view->lit && !stage->lit) return false;
+    render_settings settings = view->settings;
+    settings.width *= view->samples_per_axis;
+    settings.height *= view->samples_per_axis;
+    ew_result result = reflection_draw(stage->gl, &stage->reflection, stage->effect, stage->lit, &stage->film, view->scene,
+                                       &settings, sensitivity, error);
+    if (result) return result;
     stage->gl->BindFramebuffer(GL_FRAMEBUFFER, stage->opaque_framebuffer);
-    bool ok = true;
-    if (view->lit)
-        lit_opaque_draw(stage->lit, view->scene, width, height);
-    else
-        ok = opaque_draw(stage->gl, view->scene, width, height, message, size);
+    lit_opaque_draw(stage->lit, &(lit_opaque_view){.scene = view->scene,
+                                                   .width = settings.width,
+                                                   .height = settings.height,
+                                                   .reflection = stage->reflection.picture});
     stage->gl->BindFramebuffer(GL_FRAMEBUFFER, 0);
-    return ok;
+    return EW_OK;
 }
 
 /* Makes of a frame the columns from `first` up to `end`: their part of the NDC square becomes the whole of it. */
@@ -166,151 +168,6 @@ static ew_result draw_energy(demo_stage *stage, const stage_view *view, ew_error
     return result;
 }
 
-static void read_measured(const demo_stage *stage, int first, int end, float *values)
-{
-    stage->gl->BindFramebuffer(GL_FRAMEBUFFER, stage->measured_framebuffer);
-    stage->gl->ReadPixels(first, 0, end - first, stage->height * stage->samples_per_axis, GL_RED, GL_FLOAT, values);
-    stage->gl->BindFramebuffer(GL_FRAMEBUFFER, 0);
-}
-
-/* One number for each sample of a half of the picture. */
-static ew_result measure(demo_stage *stage, const stage_view *view, int half, ew_output output, float *values, ew_error *error)
-{
-    ew_frame_desc frame = half_frame(stage, view, half, stage->measured_framebuffer);
-    frame.output = output;
-    ew_result result = ew_draw(stage->effect, &frame, error);
-    if (!result) read_measured(stage, frame.viewport_x, frame.viewport_x + frame.viewport_width, values);
-    return result;
-}
-
-/* The luminance of a half by the reference. On a part of the interval, from s0 to s1 of it, with s = s0 + (s1 - s0) s', the
- * decay alpha / (s + beta)^2 ds is alpha' / (s' + beta')^2 ds', where alpha' = alpha / (s1 - s0), beta' = (s0 + beta) / (s1 -
- * s0). */
-static ew_result measure_reference(demo_stage *stage, const stage_view *view, int half, float *scratch, double *sum,
-                                   size_t count, ew_error *error)
-{
-    const double parts = STAGE_REFERENCE_PARTS;
-    ew_frame_desc whole = half_frame(stage, view, half, stage->measured_framebuffer);
-    for (size_t i = 0; i < count; i++)
-        sum[i] = 0;
-    for (int part = 0; part < STAGE_REFERENCE_PARTS; part++) {
-        ew_frame_desc frame = whole;
-        double length = (whole.interval_end - whole.interval_start) / parts;
-        frame.interval_start = whole.interval_start + part * length;
-        frame.interval_end = frame.interval_start + length;
-        frame.decay_alpha = whole.decay_alpha * parts;
-        frame.decay_beta = part + whole.decay_beta * parts;
-        frame.integrator = EW_INTEGRATOR_SIMPSON;
-        frame.simpson_divisions = EW_MAX_SIMPSON_DIVISIONS;
-        frame.output = EW_OUTPUT_LUMINANCE;
-        ew_result result = ew_draw(stage->effect, &frame, error);
-        if (result) return result;
-        read_measured(stage, frame.viewport_x, frame.viewport_x + frame.viewport_width, scratch);
-        for (size_t i = 0; i < count; i++)
-            sum[i] += (double)scratch[i];
-    }
-    return EW_OK;
-}
-
-static double mean_of(const float *values, size_t count)
-{
-    double sum = 0;
-    for (size_t i = 0; i < count; i++)
-        sum += (double)values[i];
-    return sum / (double)count;
-}
-
-static int compare_floats(const void *a, const void *b)
-{
-    float x = *(const float *)a, y = *(const float *)b;
-    return (x > y) - (x < y);
-}
-
-/* Writes the values' colours where the half stands in the picture. */
-static void put_map(const demo_stage *stage, const float *values, int first, int end, double (*place_of)(double),
-                    unsigned char *srgb)
-{
-    size_t count = (size_t)(end - first) * (size_t)stage->height;
-    for (size_t i = 0; i < count; i++)
-        false_color_at(place_of((double)values[i]), srgb + 3 * i);
-    const gl_functions *gl = stage->gl;
-    gl->BindTexture(GL_TEXTURE_2D, stage->picture);
-    gl->PixelStorei(GL_UNPACK_ALIGNMENT, 1);
-    gl->TexSubImage2D(GL_TEXTURE_2D, 0, first, 0, end - first, stage->height, GL_RGB, GL_UNSIGNED_BYTE, srgb);
-    gl->PixelStorei(GL_UNPACK_ALIGNMENT, 4);
-    gl->BindTexture(GL_TEXTURE_2D, 0);
-}
-
-/* Room for one half, or the whole, of a map. */
-typedef struct map_memory {
-    float *values;
-    float *scratch;
-    double *reference;
-    unsigned char *srgb;
-} map_memory;
-
-static ew_result draw_half_map(demo_stage *stage, const stage_view *view, int half, const map_memory *memory, ew_error *error)
-{
-    stage_statistics *statistics = &stage->statistics[half];
-    int first, end;
-    columns_of(view, half, &first, &end);
-    size_t count = (size_t)(end - first) * (size_t)stage->height;
-    bool is_error = view->mode == STAGE_ERROR;
-    ew_result result = measure(stage, view, half, EW_OUTPUT_EVALUATIONS, memory->values, error);
-    if (!result) statistics->mean_evaluations = mean_of(memory->values, count);
-    if (!result && is_error) {
-        result = measure_reference(stage, view, half, memory->scratch, memory->reference, count, error);
-        if (!result) result = measure(stage, view, half, EW_OUTPUT_LUMINANCE, memory->values, error);
-    }
-    if (result) return result;
-    double largest = 0;
-    for (size_t i = 0; is_error && i < count; i++)
-        largest = fmax(largest, memory->reference[i]);
-    if (is_error) false_color_errors(memory->values, memory->reference, count, largest);
-    put_map(stage, memory->values, first, end, is_error ? false_color_of_error : false_color_of_evaluations, memory->srgb);
-    if (is_error) {
-        qsort(memory->values, count, sizeof *memory->values, compare_floats);
-        statistics->largest_error = (double)memory->values[count - 1];
-        statistics->error_of_99_percent = (double)memory->values[(count - 1) * 99 / 100];
-    }
-    return EW_OK;
-}
-
-static ew_result draw_map(demo_stage *stage, const stage_view *view, ew_error *error)
-{
-    size_t count = (size_t)stage->width * (size_t)stage->height;
-    map_memory memory = {malloc(count * sizeof(float)), malloc(count * sizeof(float)), malloc(count * sizeof(double)),
-                         malloc(count * 3)};
-    ew_result result = EW_OK;
-    if (!memory.values || !memory.scratch || !memory.reference || !memory.srgb) {
-        result = EW_ERROR_OUT_OF_MEMORY;
-        *error = (ew_error){result, "the map does not fit into memory; make the picture smaller"};
-    }
-    for (int half = 0; !result && half < (view->split ? 2 : 1); half++)
-        result = draw_half_map(stage, view, half, &memory, error);
-    free(memory.values);
-    free(memory.scratch);
-    free(memory.reference);
-    free(memory.srgb);
-    return result;
-}
-
-static ew_result count_evaluations(demo_stage *stage, const stage_view *view, ew_error *error)
-{
-    size_t samples = (size_t)view->samples_per_axis;
-    float *values = malloc((size_t)stage->width * (size_t)stage->height * samples * samples * sizeof *values);
-    ew_result result = EW_OK;
-    for (int half = 0; values && !result && half < (view->split ? 2 : 1); half++) {
-        int first, end;
-        columns_of(view, half, &first, &end);
-        result = measure(stage, view, half, EW_OUTPUT_EVALUATIONS, values, error);
-        size_t count = (size_t)(end - first) * (size_t)stage->height * samples;
-        if (!result) stage->statistics[half].mean_evaluations = mean_of(values, count) * (double)(samples * samples);
-    }
-    free(values);
-    return result;
-}
-
 /* The mean luminance of the energy in all directions that are seen, as the eye has it: that of the logarithm. */
 static ew_result meter(demo_stage *stage, const stage_view *view, double *mean, ew_error *error)
 {
@@ -335,37 +192,59 @@ static ew_result meter(demo_stage *stage, const stage_view *view, double *mean, 
     return EW_OK;
 }
 
-static void develop(const demo_stage *stage, const stage_view *view, double exposure)
+static ew_result draw_maps(demo_stage *stage, const stage_view *view, ew_error *error)
 {
-    const gl_functions *gl = stage->gl;
-    gl->BindFramebuffer(GL_FRAMEBUFFER, stage->picture_framebuffer);
-    gl->Viewport(0, 0, stage->width, stage->height);
-    gl->UseProgram(stage->film);
-    gl->Uniform1i(gl->GetUniformLocation(stage->film, "opaque_scene"), 0);
-    gl->Uniform1i(gl->GetUniformLocation(stage->film, "energy"), 1);
-    gl->Uniform1i(gl->GetUniformLocation(stage->film, "samples_per_axis"), stage->samples_per_axis);
-    gl->Uniform1i(gl->GetUniformLocation(stage->film, "graded"), view->lit);
-    gl->Uniform1f(gl->GetUniformLocation(stage->film, "exposure"), (float)exposure);
-    gl->ActiveTexture(GL_TEXTURE1);
-    gl->BindTexture(GL_TEXTURE_2D, stage->energy);
-    gl->ActiveTexture(GL_TEXTURE0);
-    gl->BindTexture(GL_TEXTURE_2D, stage->opaque);
-    gl->BindVertexArray(stage->no_vertices);
-    gl->DrawArrays(GL_TRIANGLES, 0, 3);
-    gl->BindVertexArray(0);
-    gl->BindTexture(GL_TEXTURE_2D, 0);
-    gl->UseProgram(0);
-    gl->BindFramebuffer(GL_FRAMEBUFFER, 0);
+    ew_result result = EW_OK;
+    for (int half = 0; !result && half < (view->split ? 2 : 1); half++) {
+        ew_frame_desc frame = half_frame(stage, view, half, stage->measured_framebuffer);
+        result = map_draw(stage->gl, stage->effect, &frame, view->mode == STAGE_ERROR, stage->picture,
+                          &stage->statistics[half].map, error);
+    }
+    return result;
 }
 
-static ew_result draw_picture(demo_stage *stage, const stage_view *view, ew_error *error)
+static ew_result count_evaluations(demo_stage *stage, const stage_view *view, ew_error *error)
+{
+    ew_result result = EW_OK;
+    for (int half = 0; !result && half < (view->split ? 2 : 1); half++) {
+        ew_frame_desc frame = half_frame(stage, view, half, stage->measured_framebuffer);
+        double *mean = &stage->statistics[half].map.mean_evaluations;
+        result = map_count_evaluations(stage->gl, stage->effect, &frame, mean, error);
+        if (!result) *mean *= view->samples_per_axis * view->samples_per_axis;
+    }
+    return result;
+}
+
+/* All of the view's mode: the opaque scene, whose depth everything else needs, comes first. */
+static ew_result draw_all(demo_stage *stage, const stage_view *view, ew_error *error)
 {
     double mean = 1;
-    ew_result result = draw_energy(stage, view, error);
-    if (!result && view->lit) result = meter(stage, view, &mean, error);
+    ew_result result = EW_OK;
+    if (view->lit) {
+        result = meter(stage, view, &mean, error);
+        if (!result) result = draw_court(stage, view, 1 / mean, error);
+    }
+    if (result) return result;
+    if (view->mode != STAGE_PICTURE) return draw_maps(stage, view, error);
+    result = draw_energy(stage, view, error);
     if (!result && view->count_evaluations) result = count_evaluations(stage, view, error);
-    if (!result) develop(stage, view, 1 / mean);
+    film_exposure exposure = {.opaque = stage->opaque,
+                              .energy = stage->energy,
+                              .samples_per_axis = stage->samples_per_axis,
+                              .graded = view->lit,
+                              .sensitivity = 1 / mean,
+                              .encoded = true};
+    film_develop(stage->gl, &stage->film, &exposure, stage->picture_framebuffer, stage->width, stage->height);
     return result;
+}
+
+static bool draw_file_opaque(const demo_stage *stage, const stage_view *view, char *message, size_t size)
+{
+    stage->gl->BindFramebuffer(GL_FRAMEBUFFER, stage->opaque_framebuffer);
+    bool ok = opaque_draw(stage->gl, view->scene, view->settings.width * view->samples_per_axis,
+                          view->settings.height * view->samples_per_axis, message, size);
+    stage->gl->BindFramebuffer(GL_FRAMEBUFFER, 0);
+    return ok;
 }
 
 bool stage_draw(demo_stage *stage, const stage_view *asked_view, char *message, size_t size)
@@ -374,12 +253,11 @@ bool stage_draw(demo_stage *stage, const stage_view *asked_view, char *message, 
     ew_error error;
     if (view.mode != STAGE_PICTURE) view.samples_per_axis = 1;
     if (!make_targets(stage, &view, message, size)) return false;
+    if (view.lit && !stage->lit) stage->lit = lit_opaque_create(stage->gl, view.scene, message, size);
+    if (view.lit ? !stage->lit : !draw_file_opaque(stage, &view, message, size)) return false;
     for (int half = 0; half < 2; half++)
-        stage->statistics[half] = (stage_statistics){-1, -1, -1, -1};
-    int samples = view.samples_per_axis;
-    if (!draw_opaque(stage, &view, stage->width * samples, stage->height * samples, message, size)) return false;
-    if (ew_set_sources(stage->effect, &view.scene->sources, &error) ||
-        (view.mode == STAGE_PICTURE ? draw_picture : draw_map)(stage, &view, &error)) {
+        stage->statistics[half] = (stage_statistics){.map = {-1, -1, -1}};
+    if (ew_set_sources(stage->effect, &view.scene->sources, &error) || draw_all(stage, &view, &error)) {
         message_write(message, size, "%s", error.text);
         return false;
     }
@@ -425,8 +303,8 @@ void stage_destroy(demo_stage *stage)
     stage->gl->DeleteFramebuffers(1, &stage->meter_framebuffer);
     stage->gl->DeleteTextures(1, &stage->meter);
     lit_opaque_destroy(stage->lit);
-    stage->gl->DeleteProgram(stage->film);
-    stage->gl->DeleteVertexArrays(1, &stage->no_vertices);
+    film_destroy(stage->gl, &stage->film);
+    reflection_destroy(stage->gl, &stage->reflection);
     ew_destroy_effect(stage->effect);
     free(stage);
 }

@@ -6,6 +6,7 @@
 
 #include "energywave.h"
 #include "gl_functions.h"
+#include "map.h"
 #include "render.h"
 #include "scene_file.h"
 
@@ -17,13 +18,8 @@ typedef struct demo_stage demo_stage;
 typedef enum stage_mode {
     STAGE_PICTURE,
     STAGE_EVALUATIONS, /* how often each pixel's ray was evaluated */
-    STAGE_ERROR,       /* against the papers' rule with STAGE_REFERENCE_DIVISIONS */
+    STAGE_ERROR,       /* against MAP_REFERENCE_DIVISIONS of the papers' rule */
 } stage_mode;
-
-/* The reference is EW_INTEGRATOR_SIMPSON, which shares no formula with the adaptive integrator, on STAGE_REFERENCE_PARTS
- * parts of the interval with the most divisions that it takes. Steps longer than epsilon blur the cores; so its own error
- * shows there. */
-enum { STAGE_REFERENCE_PARTS = 4, STAGE_REFERENCE_DIVISIONS = STAGE_REFERENCE_PARTS * EW_MAX_SIMPSON_DIVISIONS };
 
 typedef struct stage_view {
     const ew_scene *scene;
@@ -42,9 +38,7 @@ typedef struct stage_view {
 /* Of the last picture, its left half (or whole) and its right half. Negative where unknown. */
 typedef struct stage_statistics {
     double gpu_milliseconds; /* that the energy took, a few frames ago */
-    double mean_evaluations; /* a pixel */
-    double largest_error;    /* relative, of STAGE_ERROR */
-    double error_of_99_percent;
+    map_statistics map;
 } stage_statistics;
 
 /* Functions and effect are to be those of the current context, and so in every call that follows. NULL, with a message, on

@@ -357,7 +357,8 @@ static void draw_panel(demo_window *window, int width, int height)
                        .error = window->options->scene ? window->file.message : ""};
     for (int half = 0; half < 2; half++) {
         view.statistics[half] = stage_statistics_of(window->stage, half);
-        if (view.statistics[half].mean_evaluations < 0) view.statistics[half].mean_evaluations = window->mean_evaluations[half];
+        if (view.statistics[half].map.mean_evaluations < 0)
+            view.statistics[half].map.mean_evaluations = window->mean_evaluations[half];
     }
     panel_draw(window->overlay, &view, width, height, (double)scale_y);
 }
@@ -381,7 +382,7 @@ static bool draw(demo_window *window, int width, int height, char *message, size
     if (view.count_evaluations) window->last_count = now;
     if (!stage_draw(window->stage, &view, message, size)) return false;
     for (int half = 0; half < 2; half++) {
-        double mean = stage_statistics_of(window->stage, half).mean_evaluations;
+        double mean = stage_statistics_of(window->stage, half).map.mean_evaluations;
         if (mean >= 0) window->mean_evaluations[half] = mean;
     }
     if (window->wants_screenshot) write_screenshot(window);

@@ -6,19 +6,20 @@ uniform sampler2D opaque_scene;
 uniform sampler2D energy;
 uniform int samples_per_axis;
 uniform bool graded;
-uniform float exposure; // of the energy, relative to its mean
+uniform float sensitivity; // to the energy: 1 / its mean luminance
+uniform bool encoded;
 
 out vec4 result;
 
 // The field falls off as one over the distance only, so that the light of a beam fills the room around it. Film with a steep
-// gradation, exposed by that haze, keeps the cores and thins the haze: the host's choice of a look, made after the effect has
+// gradation, made less sensitive by that haze, keeps the cores and thins the haze: the host's choice of a look, made after the effect has
 // been drawn.
-const float WHITE = 1.85;
-const float GRADATION = 5.0;
+const float WHITE = 1.75;
+const float GRADATION = 6.0;
 
 vec3 developed(vec3 light, vec3 behind)
 {
-    vec3 relative = light * exposure / WHITE;
+    vec3 relative = light * sensitivity / WHITE;
     float strength = max(relative.r, max(relative.g, relative.b));
     vec3 glow = relative * pow(strength, GRADATION - 1.0);
     float veil = 1.0 - exp(-max(glow.r, max(glow.g, glow.b)));
@@ -47,6 +48,6 @@ void main()
             vec4 light = texelFetch(energy, first + ivec2(x, y), 0);
             sum += graded ? developed(light.rgb, behind) : behind * (1.0 - light.a) + light.rgb;
         }
-    vec3 encoded = srgb_encoded(sum / float(samples_per_axis * samples_per_axis));
-    result = vec4(encoded + (graded ? dither(gl_FragCoord.xy) / 255.0 : 0.0), 1.0);
+    vec3 mean = sum / float(samples_per_axis * samples_per_axis);
+    result = vec4(encoded ? srgb_encoded(mean) + (graded ? dither(gl_FragCoord.xy) / 255.0 : 0.0) : mean, 1.0);
 }

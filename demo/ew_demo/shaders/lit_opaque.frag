@@ -15,6 +15,10 @@ uniform vec4 light_color[MAX_LIGHTS];
 uniform vec3 eye;
 uniform vec3 background;
 uniform vec3 to_moon;
+uniform bool is_mirrored;
+uniform bool reflects;
+uniform sampler2D reflection;
+uniform vec2 pixel; // 1 / the picture's size
 
 in vec3 surface_position;
 in vec3 surface_normal;
@@ -84,8 +88,19 @@ float joints(vec3 place, vec3 normal)
     return 1.0 - 0.55 * max(joint.x, joint.y) * step(0.9, normal.y);
 }
 
+// What the floor mirrors, drawn out upwards as by stone that is polished but not plane.
+vec3 mirrored()
+{
+    vec2 at = gl_FragCoord.xy * pixel;
+    vec3 sum = vec3(0.0);
+    for (int i = -2; i <= 2; ++i)
+        sum += texture(reflection, at + vec2(0.0, 0.004 * float(i))).rgb;
+    return sum / 5.0;
+}
+
 void main()
 {
+    if (is_mirrored && surface_position.y < 0.001) discard;
     vec3 normal = normalize(surface_normal);
     vec3 to_eye = normalize(eye - surface_position);
     vec3 above = surface_position + 0.01 * normal;
@@ -104,6 +119,8 @@ void main()
     }
     float fresnel = 0.04 + 0.5 * pow(1.0 - max(0.0, dot(normal, to_eye)), 4.0);
     vec3 color = surface_color * joints(surface_position, normal) * diffuse + fresnel * open * gloss;
+    if (reflects && surface_position.y < 0.001 && normal.y > 0.9)
+        color += (0.3 + 0.7 * fresnel) * joints(surface_position, normal) * mirrored();
     float haze = 1.0 - exp(-pow(length(eye - surface_position) / 34.0, 2.2));
     result = vec4(mix(color, background, haze), 1.0);
 }

@@ -1,0 +1,143 @@
+/* Maps of the method: see map.h. */
+#include "map.h"
+#include "false_color.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+static size_t pixel_count(const ew_frame_desc *frame)
+{
+    return (size_t)frame->viewport_width * (size_t)frame->viewport_height;
+}
+
+static void *allocate(size_t bytes, ew_result *result, ew_error *error)
+{
+    void *memory = *result ? NULL : malloc(bytes);
+    if (memory || *result) return memory;
+    *result = EW_ERROR_OUT_OF_MEMORY;
+    *error = (ew_error){EW_ERROR_OUT_OF_MEMORY, "the map does not fit into memory; make the picture smaller"};
+    return NULL;
+}
+
+/* One number for each pixel of the frame. */
+static ew_result measure(const gl_functions *gl, ew_effect *effect, const ew_frame_desc *frame, ew_output output, float *values,
+                         ew_error *error)
+{
+    ew_frame_desc measured = *frame;
+    measured.output = output;
+    ew_result result = ew_draw(effect, &measured, error);
+    if (result) return result;
+    gl->BindFramebuffer(GL_FRAMEBUFFER, frame->framebuffer);
+    gl->ReadPixels(frame->viewport_x, frame->viewport_y, frame->viewport_width, frame->viewport_height, GL_RED, GL_FLOAT,
+                   values);
+    gl->BindFramebuffer(GL_FRAMEBUFFER, 0);
+    return EW_OK;
+}
+
+/* The luminance by the reference. On a part of the interval, from s0 to s1 of it, with s = s0 + (s1 - s0) s', the decay
+ * alpha / (s + beta)^2 ds is alpha' / (s' + beta')^2 ds', with alpha' = alpha / (s1 - s0), beta' = (s0 + beta) / (s1 - s0). */
+static ew_result measure_reference(const gl_functions *gl, ew_effect *effect, const ew_frame_desc *frame, float *scratch,
+                                   double *sum, ew_error *error)
+{
+    const double parts = MAP_REFERENCE_PARTS, length = (frame->interval_end - frame->interval_start) / parts;
+    for (size_t i = 0; i < pixel_count(frame); i++)
+        sum[i] = 0;
+    for (int i = 0; i < MAP_REFERENCE_PARTS; i++) {
+        ew_frame_desc part = *frame;
+        part.interval_start = frame->interval_start + i * length;
+        part.interval_end = part.interval_start + length;
+        part.decay_alpha = frame->decay_alpha * parts;
+        part.decay_beta = i + frame->decay_beta * parts;
+        part.integrator = EW_INTEGRATOR_SIMPSON;
+        part.simpson_divisions = EW_MAX_SIMPSON_DIVISIONS;
+        ew_result result = measure(gl, effect, &part, EW_OUTPUT_LUMINANCE, scratch, error);
+        if (result) return result;
+        for (size_t j = 0; j < pixel_count(frame); j++)
+            sum[j] += (double)scratch[j];
+    }
+    return EW_OK;
+}
+
+/* The errors of the frame's luminances, relative to max(truth, 1e-3 of the largest truth) as everywhere in the project. */
+static ew_result measure_errors(const gl_functions *gl, ew_effect *effect, const ew_frame_desc *frame, float *errors,
+                                ew_error *error)
+{
+    ew_result result = EW_OK;
+    double *reference = allocate(pixel_count(frame) * sizeof *reference, &result, error), largest = 0;
+    if (!result) result = measure_reference(gl, effect, frame, errors, reference, error);
+    if (!result) result = measure(gl, effect, frame, EW_OUTPUT_LUMINANCE, errors, error);
+    for (size_t i = 0; !result && i < pixel_count(frame); i++)
+        largest = fmax(largest, reference[i]);
+    for (size_t i = 0; !result && i < pixel_count(frame); i++) {
+        double scale = fmax(reference[i], 1e-3 * largest);
+        errors[i] = scale > 0 ? (float)(fabs((double)errors[i] - reference[i]) / scale) : 0;
+    }
+    free(reference);
+    return result;
+}
+
+static double mean_of(const float *values, size_t count)
+{
+    double sum = 0;
+    for (size_t i = 0; i < count; i++)
+        sum += (double)values[i];
+    return sum / (double)count;
+}
+
+ew_result map_count_evaluations(const gl_functions *gl, ew_effect *effect, const ew_frame_desc *frame, double *mean,
+                                ew_error *error)
+{
+    ew_result result = EW_OK;
+    float *values = allocate(pixel_count(frame) * sizeof *values, &result, error);
+    if (!result) result = measure(gl, effect, frame, EW_OUTPUT_EVALUATIONS, values, error);
+    if (!result) *mean = mean_of(values, pixel_count(frame));
+    free(values);
+    return result;
+}
+
+static ew_result put_colors(const gl_functions *gl, const ew_frame_desc *frame, const float *values, bool is_error,
+                            GLuint picture, ew_error *error)
+{
+    ew_result result = EW_OK;
+    unsigned char *srgb = allocate(pixel_count(frame) * 3, &result, error);
+    for (size_t i = 0; !result && i < pixel_count(frame); i++) {
+        double value = (double)values[i];
+        false_color_at(is_error ? false_color_of_error(value) : false_color_of_evaluations(value), srgb + 3 * i);
+    }
+    if (!result) {
+        gl->BindTexture(GL_TEXTURE_2D, picture);
+        gl->PixelStorei(GL_UNPACK_ALIGNMENT, 1);
+        gl->TexSubImage2D(GL_TEXTURE_2D, 0, frame->viewport_x, frame->viewport_y, frame->viewport_width, frame->viewport_height,
+                          GL_RGB, GL_UNSIGNED_BYTE, srgb);
+        gl->PixelStorei(GL_UNPACK_ALIGNMENT, 4);
+        gl->BindTexture(GL_TEXTURE_2D, 0);
+    }
+    free(srgb);
+    return result;
+}
+
+static int compare_floats(const void *a, const void *b)
+{
+    float x = *(const float *)a, y = *(const float *)b;
+    return (x > y) - (x < y);
+}
+
+ew_result map_draw(const gl_functions *gl, ew_effect *effect, const ew_frame_desc *frame, bool is_error, GLuint picture,
+                   map_statistics *statistics, ew_error *error)
+{
+    ew_result result = EW_OK;
+    size_t count = pixel_count(frame);
+    float *values = allocate(count * sizeof *values, &result, error);
+    *statistics = (map_statistics){-1, -1, -1};
+    if (!result) result = measure(gl, effect, frame, EW_OUTPUT_EVALUATIONS, values, error);
+    if (!result) statistics->mean_evaluations = mean_of(values, count);
+    if (!result && is_error) result = measure_errors(gl, effect, frame, values, error);
+    if (!result) result = put_colors(gl, frame, values, is_error, picture, error);
+    if (!result && is_error) {
+        qsort(values, count, sizeof *values, compare_floats);
+        statistics->largest_error = (double)values[count - 1];
+        statistics->error_of_99_percent = (double)values[(count - 1) * 99 / 100];
+    }
+    free(values);
+    return result;
+}
