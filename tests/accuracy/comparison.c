@@ -300,7 +300,8 @@ size_t depth_misses(const scene_rays *rays, const true_pixels *truth, const draw
         /* The buffer's own steps, and those of the vertices' floats. */
         double low = scene_rays_stored_depth(rays, (double)stored - 5e-7),
                high = scene_rays_stored_depth(rays, (double)stored + 5e-7);
-        double slack = 1e-5 * fabs(farthest);
+        /* Where edges meet, as in the corner of a room, the nearest or farthest place may be in between. */
+        double slack = 1e-5 * fabs(farthest) + (farthest - nearest);
         if (!(high >= nearest - slack && low <= farthest + slack)) misses++;
     }
     return misses;
