@@ -50,7 +50,6 @@ static ew_result bind_texture(const ew_gl *gl, const ew_frame_desc *frame, GLenu
 {
     bool multisampled = target == GL_TEXTURE_2D_MULTISAMPLE;
     GLint bound = 0;
-    gl->BindTexture(target, 0);
     gl->BindTexture(target, frame->depth_texture);
     gl->GetIntegerv(multisampled ? GL_TEXTURE_BINDING_2D_MULTISAMPLE : GL_TEXTURE_BINDING_2D, &bound);
     if ((GLuint)bound == frame->depth_texture) return EW_OK;
