@@ -137,14 +137,9 @@ static void draw_samples(const ew_gl *gl, GLuint program, GLint samples, GLint f
 }
 
 static ew_result draw(ew_effect *effect, const ew_frame_desc *frame, const struct ew_frame_block *block, GLuint program,
-                      GLint first_vertex, ew_gl_state *state, ew_error *error)
+                      GLint first_vertex, ew_error *error)
 {
     const ew_gl *gl = &effect->gl;
-    ew_gl_draw_state wanted = draw_state(frame);
-    ew_gl_set_draw_state(gl, state, &wanted);
-    if (gl->CheckFramebufferStatus(GL_DRAW_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
-        return ew_fail(error, EW_ERROR_OPENGL, "framebuffer %u is not complete", frame->framebuffer);
-
     ew_opaque_depth depth;
     ew_result result = ew_opaque_depth_bind(&effect->depth_copy, gl, frame, &depth, error);
     if (result != EW_OK) return result;
@@ -183,14 +178,21 @@ static ew_result validate_names(const ew_gl *gl, const ew_frame_desc *frame, ew_
  */
 typedef enum draw_purpose { DRAWING, PREPARING } draw_purpose;
 
-static ew_result draw_mix(ew_effect *effect, unsigned program_key, const ew_frame_desc *frame,
-                          const struct ew_frame_block *block, draw_purpose purpose, GLuint *program, ew_gl_state *state,
-                          ew_error *error)
+static ew_result draw_mix(ew_effect *effect, const ew_mix *mix, const ew_frame_desc *frame, const struct ew_frame_block *block,
+                          draw_purpose purpose, GLuint *program, ew_gl_state *state, ew_error *error)
 {
-    ew_result result = (purpose == DRAWING ? ew_program_get : ew_program_prepare)(
-        &effect->programs, &effect->gl, effect->capacity, &effect->allocator, program_key, program, error);
+    const ew_gl *gl = &effect->gl;
+    ew_gl_draw_state wanted = draw_state(frame);
+    ew_gl_set_draw_state(gl, state, &wanted);
+    if (gl->CheckFramebufferStatus(GL_DRAW_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
+        return ew_fail(error, EW_ERROR_OPENGL, "framebuffer %u is not complete", frame->framebuffer);
+
+    ew_mix current = ew_scene_mix(&effect->scene);
+    unsigned key = ew_program_key(mix ? mix : &current, frame, ew_opaque_depth_target(gl, frame));
+    ew_result result = (purpose == DRAWING ? ew_program_get : ew_program_prepare)(&effect->programs, gl, effect->capacity,
+                                                                                  &effect->allocator, key, program, error);
     if (result != EW_OK || *program == 0) return result;
-    return draw(effect, frame, block, *program, purpose == DRAWING ? QUAD_VERTEX : OUTSIDE_VERTEX, state, error);
+    return draw(effect, frame, block, *program, purpose == DRAWING ? QUAD_VERTEX : OUTSIDE_VERTEX, error);
 }
 
 /* `mix`: NULL for the current sources. `program` becomes 0 if it is being prepared. */
@@ -207,18 +209,16 @@ static ew_result draw_frame(ew_effect *effect, const ew_mix *mix, const ew_frame
     struct ew_frame_block block;
     result = ew_scene_pack(&effect->scene, frame, &block, error);
     if (result != EW_OK) return result;
-    ew_mix current = ew_scene_mix(&effect->scene);
-    unsigned key = ew_program_key(mix ? mix : &current, frame);
     ew_gl_state state;
     if (frame->skip_restore) {
         ew_gl_assume_state(gl, &state);
-        result = draw_mix(effect, key, frame, &block, purpose, program, &state, error);
+        result = draw_mix(effect, mix, frame, &block, purpose, program, &state, error);
         ew_gl_restore_objects(gl, &state);
         return result;
     }
     result = ew_gl_save_state(gl, &state, error);
     if (result != EW_OK) return result;
-    result = draw_mix(effect, key, frame, &block, purpose, program, &state, error);
+    result = draw_mix(effect, mix, frame, &block, purpose, program, &state, error);
     ew_gl_restore_state(gl, &state);
     return result;
 }
@@ -246,7 +246,7 @@ ew_result ew_get_shader_text(ew_effect *effect, const ew_mix *mix, ew_integrator
         return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "integrator must be one of ew_integrator");
     const ew_allocator *allocator = &effect->allocator;
     ew_mix current = ew_scene_mix(&effect->scene);
-    unsigned key = ew_program_key(mix ? mix : &current, &(ew_frame_desc){.integrator = integrator});
+    unsigned key = ew_program_key(mix ? mix : &current, &(ew_frame_desc){.integrator = integrator}, 0);
     size_t length = ew_program_write_include(effect->capacity, key, NULL);
     char *made = allocator->allocate(allocator->user, length + 1);
     if (!made) return ew_fail(error, EW_ERROR_OUT_OF_MEMORY, "no memory for a shader of %zu characters", length);

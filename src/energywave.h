@@ -287,7 +287,8 @@ typedef enum ew_depth_source {
     /* The depth of `framebuffer` itself, 0 included, which the library copies to a texture of its own under the viewport
      * (and the scissor): the one way where the host draws to a window's framebuffer or to a depth renderbuffer, or keeps its
      * depth texture attached. The texture grows to the largest viewport; it is made anew, and GL's error flag cleared, where
-     * the format changes or the size grows. Of a multisampled framebuffer GL makes one depth a pixel, as it sees fit. */
+     * the format changes or the size grows. Of a multisampled framebuffer every sample is copied and drawn with its own
+     * depth, as above; but OpenGL ES makes one depth a pixel of them, as it sees fit, so that edges may be a pixel off. */
     EW_DEPTH_FRAMEBUFFER,
 } ew_depth_source;
 

@@ -105,7 +105,9 @@
     X(PFNGLPAUSETRANSFORMFEEDBACKPROC, PauseTransformFeedback)                                                                 \
     X(PFNGLRESUMETRANSFORMFEEDBACKPROC, ResumeTransformFeedback)
 /* and what OpenGL ES, or the core profile, dropped. */
-#define EW_GL_DESKTOP_FUNCTIONS(X) X(PFNGLPOLYGONMODEPROC, PolygonMode)
+#define EW_GL_DESKTOP_FUNCTIONS(X)                                                                                             \
+    X(PFNGLPOLYGONMODEPROC, PolygonMode)                                                                                       \
+    X(PFNGLTEXIMAGE2DMULTISAMPLEPROC, TexImage2DMultisample)
 #define EW_GL_COMPATIBILITY_FUNCTIONS(X) X(PFNGLCLAMPCOLORPROC, ClampColor)
 
 enum { EW_GL_MAX_CAPABILITIES = 40 };

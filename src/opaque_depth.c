@@ -76,13 +76,11 @@ static ew_result check_not_attached(const ew_gl *gl, const ew_frame_desc *frame,
 
 static ew_result bind_host_texture(const ew_gl *gl, const ew_frame_desc *frame, ew_opaque_depth *depth, ew_error *error)
 {
-    bool multisampled = frame->depth_source == EW_DEPTH_TEXTURE_MULTISAMPLE;
     ew_result result = check_not_attached(gl, frame, error);
     if (result != EW_OK) return result;
-    depth->target = multisampled ? GL_TEXTURE_2D_MULTISAMPLE : GL_TEXTURE_2D;
     result = bind_texture(gl, frame, depth->target, error);
     if (result != EW_OK) return result;
-    if (multisampled) {
+    if (depth->target == GL_TEXTURE_2D_MULTISAMPLE) {
         gl->GetTexLevelParameteriv(depth->target, 0, GL_TEXTURE_SAMPLES, &depth->samples);
         if (depth->samples < 1)
             return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "depth_texture %u has no storage", frame->depth_texture);
@@ -133,8 +131,8 @@ static ew_depth_copy ask_depth(const ew_gl *gl, bool is_window)
     return asked;
 }
 
-/* A framebuffer of the copy's texture, bound. It is made for one copy only: contexts that share objects do not share it. */
-static GLuint make_framebuffer(const ew_depth_copy *copy, const ew_gl *gl)
+/* A framebuffer without images, bound. It is made for one copy only: contexts that share objects do not share it. */
+static GLuint make_framebuffer(const ew_gl *gl)
 {
     GLuint framebuffer;
     gl->GenFramebuffers(1, &framebuffer);
@@ -142,21 +140,28 @@ static GLuint make_framebuffer(const ew_depth_copy *copy, const ew_gl *gl)
     /* Before OpenGL 4.1 a framebuffer whose colour buffers are missing is incomplete. */
     gl->DrawBuffers(1, &(GLenum){GL_NONE});
     gl->ReadBuffer(GL_NONE);
-    if (copy->width > 0) gl->FramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, copy->texture, 0);
     return framebuffer;
+}
+
+static void attach(const ew_depth_copy *copy, const ew_gl *gl)
+{
+    gl->FramebufferTexture2D(GL_DRAW_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, copy->target, copy->texture, 0);
 }
 
 /* Gives the copy's texture, which is bound, new storage. With a pixel unpack buffer bound, GL would fill it from there. */
 static void allocate(const ew_depth_copy *copy, const ew_gl *gl, int format)
 {
-    GLint unpack_buffer = 0;
+    GLint internal_format = copy_formats[format].internal_format, unpack_buffer = 0;
+    if (copy->samples > 0) {
+        gl->TexImage2DMultisample(copy->target, copy->samples, (GLenum)internal_format, copy->width, copy->height, GL_TRUE);
+        return;
+    }
     gl->GetIntegerv(GL_PIXEL_UNPACK_BUFFER_BINDING, &unpack_buffer);
     gl->BindBuffer(GL_PIXEL_UNPACK_BUFFER, 0);
-    gl->TexImage2D(GL_TEXTURE_2D, 0, copy_formats[format].internal_format, copy->width, copy->height, 0,
-                   copy_formats[format].format, copy_formats[format].type, NULL);
+    gl->TexImage2D(copy->target, 0, internal_format, copy->width, copy->height, 0, copy_formats[format].format,
+                   copy_formats[format].type, NULL);
     if (unpack_buffer != 0 && gl->IsBuffer((GLuint)unpack_buffer))
         gl->BindBuffer(GL_PIXEL_UNPACK_BUFFER, (GLuint)unpack_buffer);
-    gl->FramebufferTexture2D(GL_DRAW_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, copy->texture, 0);
 }
 
 /* The pixels under the viewport, from the lower left corner (inclusive) to the upper right (exclusive). */
@@ -201,6 +206,7 @@ static bool try_formats(const ew_depth_copy *copy, const ew_gl *gl, const rectan
                 continue;
             clear_errors(gl);
             allocate(copy, gl, i);
+            attach(copy, gl);
             if (gl->CheckFramebufferStatus(GL_DRAW_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) continue;
             copy_pixels(gl, area);
             if (gl->GetError() == GL_NO_ERROR) return true;
@@ -210,26 +216,51 @@ static bool try_formats(const ew_depth_copy *copy, const ew_gl *gl, const rectan
     return false;
 }
 
-/* From the framebuffer that is bound for reading to the one of the copy, bound for drawing. */
-static ew_result copy_between(ew_depth_copy *copy, const ew_gl *gl, const ew_frame_desc *frame, ew_error *error)
+void ew_depth_copy_destroy(ew_depth_copy *copy, const ew_gl *gl)
 {
-    gl->BindTexture(GL_TEXTURE_2D, copy->texture);
+    gl->DeleteTextures(1, &copy->texture);
+    *copy = (ew_depth_copy){0};
+}
 
+static bool has_same_format(const ew_depth_copy *a, const ew_depth_copy *b)
+{
+    return a->depth_bits == b->depth_bits && a->stencil_bits == b->stencil_bits && a->component_type == b->component_type &&
+           a->samples == b->samples;
+}
+
+/* A texture object is of one target for ever. */
+static void bind_copy(ew_depth_copy *copy, const ew_gl *gl, GLenum target)
+{
+    if (copy->target != target) {
+        ew_depth_copy_destroy(copy, gl);
+        copy->target = target;
+        gl->GenTextures(1, &copy->texture);
+    }
+    gl->BindTexture(target, copy->texture);
+}
+
+/* From the framebuffer that is bound for reading, through the one bound for drawing. */
+static ew_result copy_between(ew_depth_copy *copy, const ew_gl *gl, const ew_frame_desc *frame, const ew_opaque_depth *depth,
+                              ew_error *error)
+{
     ew_depth_copy wanted = ask_depth(gl, frame->framebuffer == 0);
     if (wanted.depth_bits == 0)
         return ew_fail(error, EW_ERROR_INVALID_ARGUMENT,
                        "depth_source is EW_DEPTH_FRAMEBUFFER, but framebuffer %u has no depth", frame->framebuffer);
+    wanted.samples = depth->samples;
+    bind_copy(copy, gl, depth->target);
     GLint limit = 0;
     gl->GetIntegerv(GL_MAX_TEXTURE_SIZE, &limit);
     const rectangle area = viewport_rectangle(frame, limit);
     if (area.left == area.right || area.bottom == area.top) return EW_OK;
-    bool same_format = wanted.depth_bits == copy->depth_bits && wanted.stencil_bits == copy->stencil_bits &&
-                       wanted.component_type == copy->component_type;
+    bool same_format = has_same_format(copy, &wanted);
     if (same_format && area.right <= copy->width && area.top <= copy->height) {
+        attach(copy, gl);
         copy_pixels(gl, &area);
         return EW_OK;
     }
 
+    wanted.target = copy->target;
     wanted.texture = copy->texture;
     wanted.width = same_format && copy->width > area.right ? copy->width : area.right;
     wanted.height = same_format && copy->height > area.top ? copy->height : area.top;
@@ -243,35 +274,39 @@ static ew_result copy_between(ew_depth_copy *copy, const ew_gl *gl, const ew_fra
     return EW_OK;
 }
 
-static ew_result copy_depth(ew_depth_copy *copy, const ew_gl *gl, const ew_frame_desc *frame, ew_error *error)
+static ew_result bind_copied_depth(ew_depth_copy *copy, const ew_gl *gl, const ew_frame_desc *frame, ew_opaque_depth *depth,
+                                   ew_error *error)
 {
-    if (!copy->texture) gl->GenTextures(1, &copy->texture);
-    GLuint framebuffer = make_framebuffer(copy, gl);
+    if (depth->target == GL_TEXTURE_2D_MULTISAMPLE) gl->GetIntegerv(GL_SAMPLES, &depth->samples);
+    GLuint framebuffer = make_framebuffer(gl);
     gl->BindFramebuffer(GL_READ_FRAMEBUFFER, frame->framebuffer);
-    ew_result result = copy_between(copy, gl, frame, error);
+    ew_result result = copy_between(copy, gl, frame, depth, error);
     gl->DeleteFramebuffers(1, &framebuffer);
+    gl->BindFramebuffer(GL_DRAW_FRAMEBUFFER, frame->framebuffer);
     return result;
-}
-
-void ew_depth_copy_destroy(ew_depth_copy *copy, const ew_gl *gl)
-{
-    gl->DeleteTextures(1, &copy->texture);
-    *copy = (ew_depth_copy){0};
 }
 
 /* ---- Either ---- */
 
+GLenum ew_opaque_depth_target(const ew_gl *gl, const ew_frame_desc *frame)
+{
+    if (frame->depth_source == EW_DEPTH_FRAMEBUFFER) {
+        /* OpenGL ES copies samples only as it resolves them. */
+        GLint samples = 0;
+        if (!gl->es) gl->GetIntegerv(GL_SAMPLES, &samples);
+        return samples > 0 ? GL_TEXTURE_2D_MULTISAMPLE : GL_TEXTURE_2D;
+    }
+    if (frame->depth_texture == 0) return 0;
+    return frame->depth_source == EW_DEPTH_TEXTURE_MULTISAMPLE ? GL_TEXTURE_2D_MULTISAMPLE : GL_TEXTURE_2D;
+}
+
 ew_result ew_opaque_depth_bind(ew_depth_copy *copy, const ew_gl *gl, const ew_frame_desc *frame, ew_opaque_depth *depth,
                                ew_error *error)
 {
-    *depth = (ew_opaque_depth){0};
+    *depth = (ew_opaque_depth){.target = ew_opaque_depth_target(gl, frame)};
     gl->ActiveTexture(GL_TEXTURE0 + EW_GL_DEPTH_TEXTURE_UNIT);
-    if (frame->depth_source == EW_DEPTH_FRAMEBUFFER) {
-        ew_result result = copy_depth(copy, gl, frame, error);
-        gl->BindFramebuffer(GL_DRAW_FRAMEBUFFER, frame->framebuffer);
-        return result;
-    }
-    return frame->depth_texture ? bind_host_texture(gl, frame, depth, error) : EW_OK;
+    if (frame->depth_source == EW_DEPTH_FRAMEBUFFER) return bind_copied_depth(copy, gl, frame, depth, error);
+    return depth->target ? bind_host_texture(gl, frame, depth, error) : EW_OK;
 }
 
 void ew_opaque_depth_release(const ew_gl *gl, const ew_opaque_depth *depth)

@@ -21,26 +21,19 @@ static unsigned count_of(unsigned key, int kind)
     return key >> count_shift(kind) & ((1u << EW_PROGRAM_COUNT_BITS) - 1);
 }
 
-static bool has_depth(const ew_frame_desc *frame)
-{
-    return frame->depth_source == EW_DEPTH_FRAMEBUFFER || frame->depth_texture != 0;
-}
-
 static bool is_dithered(const ew_frame_desc *frame)
 {
     bool is_picture = frame->output == EW_OUTPUT_LERP || frame->output == EW_OUTPUT_ADD;
     return frame->dither && is_picture && frame->encoding != EW_ENCODING_FLOAT;
 }
 
-unsigned ew_program_key(const ew_mix *mix, const ew_frame_desc *frame)
+unsigned ew_program_key(const ew_mix *mix, const ew_frame_desc *frame, GLenum depth_target)
 {
     const size_t counts[KIND_COUNT] = {mix->point_count, mix->line_count, mix->torus_count, mix->curve_count};
     unsigned key = 0;
     if (mix->has_weights && mix->curve_count > 0) key |= EW_PROGRAM_WEIGHTS;
-    if (has_depth(frame)) {
-        key |= EW_PROGRAM_DEPTH;
-        if (frame->depth_source == EW_DEPTH_TEXTURE_MULTISAMPLE) key |= EW_PROGRAM_DEPTH_MULTISAMPLE;
-    }
+    if (depth_target) key |= EW_PROGRAM_DEPTH;
+    if (depth_target == GL_TEXTURE_2D_MULTISAMPLE) key |= EW_PROGRAM_DEPTH_MULTISAMPLE;
     if (is_dithered(frame)) {
         key |= EW_PROGRAM_DITHER;
         if (frame->encoding == EW_ENCODING_SRGB_8BIT) key |= EW_PROGRAM_DITHER_SRGB;

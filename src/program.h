@@ -21,8 +21,8 @@ enum {
     EW_PROGRAM_MAX_UNROLLED = 4,
 };
 
-/* The key of the program that draws `mix` as `frame` says. */
-unsigned ew_program_key(const ew_mix *mix, const ew_frame_desc *frame);
+/* The key of the program that draws `mix` as `frame` says, with depth from a texture of `depth_target`, 0 for none. */
+unsigned ew_program_key(const ew_mix *mix, const ew_frame_desc *frame, GLenum depth_target);
 
 /* Whether the program of `key` draws all that the one of `other` does, if slower. */
 bool ew_program_covers(unsigned key, unsigned other);

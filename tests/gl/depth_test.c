@@ -2,6 +2,7 @@
  *
  *     depth_test CONTEXT    one of the names in `kinds` */
 #include "canvas.h"
+#include "debug_output.h"
 #include "glow.h"
 #include "scramble.h"
 
@@ -535,6 +536,14 @@ static void the_copy_of_the_depth_grows_with_the_viewport(void **unused)
     assert_int_equal(count_different_pixels(expected, found), 0);
     assert_int_equal(gl.GetError(), GL_NO_ERROR);
     ew_destroy_effect(other);
+
+    /* Nor is an error that the host left in GL's flag one of the copy's. */
+    other = glow_create(context);
+    debug_output_pause();
+    gl.Enable(GL_INVALID_ENUM);
+    debug_output_resume();
+    glow_draw(other, &frame);
+    ew_destroy_effect(other);
     canvas_destroy(&made);
 }
 
@@ -727,22 +736,23 @@ static int expect_between(picture samples[SAMPLES], picture resolved, float tole
     return edges;
 }
 
-static void a_resolved_picture_is_the_mean_of_its_samples_pictures(void **unused)
+/* Whether the depth comes from the texture or from the framebuffer that it is attached to. */
+static void check_resolved_picture(ew_depth_source source)
 {
-    (void)unused;
-    if (!has_multisampled_textures()) skip();
     sampled_scene scene;
     create_sampled_scene(&scene);
     static picture samples[SAMPLES], resolved;
     canvas bytes = canvas_create(WIDTH, HEIGHT, GL_RGBA8, 0, 0);
-    const canvas multisampled = {.framebuffer = scene.framebuffer, .width = WIDTH, .height = HEIGHT, .color_format = GL_RGBA8};
-    ew_frame_desc frame = glow_frame(scene.framebuffer);
-    frame.depth_source = EW_DEPTH_TEXTURE_MULTISAMPLE;
-    frame.depth_texture = scene.depth;
+    const bool copied = source == EW_DEPTH_FRAMEBUFFER;
+    const GLuint whole = make_framebuffer(GL_TEXTURE_2D_MULTISAMPLE, scene.color, scene.depth);
+    ew_frame_desc frame = glow_frame(copied ? whole : scene.framebuffer);
+    frame.depth_source = source;
+    frame.depth_texture = copied ? 0 : scene.depth;
     if (!gl.es) gl.Disable(GL_MULTISAMPLE); /* the host's own business */
     glow_draw(effect, &frame);
     if (!gl.es) gl.Enable(GL_MULTISAMPLE);
-    canvas_resolve(&multisampled, &bytes);
+    const canvas drawn = {.framebuffer = scene.framebuffer, .width = WIDTH, .height = HEIGHT};
+    canvas_resolve(&drawn, &bytes);
     canvas_read(&bytes, &resolved[0][0][0]);
     draw_samples_alone(&scene, &frame, samples);
     /* A rasterizer may round the light, the factor and the result to 8 bits. */
@@ -754,8 +764,18 @@ static void a_resolved_picture_is_the_mean_of_its_samples_pictures(void **unused
             mean += (&samples[j][0][0][0])[i] / SAMPLES;
         assert_true(fabsf(mean - (&resolved[0][0][0])[i]) <= rounding + 0.5f / 255);
     }
+    gl.DeleteFramebuffers(1, &whole);
     canvas_destroy(&bytes);
     destroy_sampled_scene(&scene);
+    assert_int_equal(gl.GetError(), GL_NO_ERROR);
+}
+
+static void a_resolved_picture_is_the_mean_of_its_samples_pictures(void **unused)
+{
+    (void)unused;
+    if (!has_multisampled_textures()) skip();
+    check_resolved_picture(EW_DEPTH_TEXTURE_MULTISAMPLE);
+    if (!gl.es) check_resolved_picture(EW_DEPTH_FRAMEBUFFER);
 }
 
 static void multisampled_depth_on_other_targets_is_the_mean_over_the_samples(void **unused)
@@ -802,6 +822,7 @@ static void depth_that_cannot_be_read_is_refused_by_name(void **unused)
     gl.BindTexture(GL_TEXTURE_CUBE_MAP, 0);
     ew_frame_desc frame = glow_frame(target.framebuffer);
     frame.depth_texture = cube;
+    debug_output_pause(); /* GL sees the mistakes */
     /* Regression: glIsTexture let it pass, and the bind raised a GL error. */
     glow_refuse(effect, &frame, EW_ERROR_INVALID_ARGUMENT, "depth_texture");
     assert_int_equal(gl.GetError(), GL_NO_ERROR);
@@ -835,7 +856,14 @@ static void depth_that_cannot_be_read_is_refused_by_name(void **unused)
     gl.DeleteTextures(1, &color);
     gl.DeleteTextures(1, &depth);
     gl.DeleteTextures(1, &cube);
+    debug_output_resume();
     assert_int_equal(gl.GetError(), GL_NO_ERROR);
+}
+
+static void gl_has_nothing_to_say(void **unused)
+{
+    (void)unused;
+    assert_int_equal(debug_output_count(), 0);
 }
 
 int main(int argc, char **argv)
@@ -847,6 +875,7 @@ int main(int argc, char **argv)
         test_context_make_current(context);
         api_load(context);
         fprintf(stderr, "%s, %s\n", (const char *)gl.GetString(GL_RENDERER), (const char *)gl.GetString(GL_VERSION));
+        debug_output_watch();
         effect = glow_create(context);
         target = canvas_create(WIDTH, HEIGHT, GL_RGBA32F, 0, 0);
 
@@ -862,6 +891,7 @@ int main(int argc, char **argv)
             cmocka_unit_test(a_resolved_picture_is_the_mean_of_its_samples_pictures),
             cmocka_unit_test(multisampled_depth_on_other_targets_is_the_mean_over_the_samples),
             cmocka_unit_test(depth_that_cannot_be_read_is_refused_by_name),
+            cmocka_unit_test(gl_has_nothing_to_say),
         };
         int failed = cmocka_run_group_tests_name(kinds[i].name, tests, NULL, NULL);
         canvas_destroy(&target);

@@ -4,6 +4,7 @@
  *
  * Two contexts share their objects: a clean one, which prepares the targets and reads the pictures, and a scrambled one. */
 #include "compatibility.h"
+#include "debug_output.h"
 #include "scramble.h"
 #include "state_guard.h"
 
@@ -70,26 +71,6 @@ static state_texture host_depth[HOST_DEPTH_COUNT] = {{.target = GL_TEXTURE_2D}, 
 static GLuint cube_texture;
 
 static unsigned long long current_seed;
-
-static bool watching;
-static int debug_messages;
-
-static void APIENTRY on_debug_message(GLenum source, GLenum type, GLuint id, GLenum severity, GLsizei length,
-                                      const GLchar *text, const void *user)
-{
-    (void)source, (void)type, (void)id, (void)length, (void)user;
-    if (!watching || (severity != GL_DEBUG_SEVERITY_HIGH && severity != GL_DEBUG_SEVERITY_MEDIUM)) return;
-    fprintf(stderr, "GL says: %s\n", text);
-    debug_messages++;
-}
-
-static void watch_debug_messages(void)
-{
-    if (!api_has(43, 32, "GL_KHR_debug")) return;
-    gl.Enable(GL_DEBUG_OUTPUT);
-    gl.Enable(GL_DEBUG_OUTPUT_SYNCHRONOUS);
-    gl.DebugMessageCallback(on_debug_message, NULL);
-}
 
 static GLuint make_framebuffer(const test_target *target)
 {
@@ -332,12 +313,12 @@ static test_outcome draw_scrambled(const test_subject *subject, const test_targe
     *wish = ask_wish();
     assert_int_equal(gl.GetError(), GL_NO_ERROR);
 
-    debug_messages = 0;
-    watching = true;
+    const int messages_before = debug_output_count();
+    debug_output_resume();
     subject->draw(SCRAMBLED, target);
-    watching = false;
+    debug_output_pause();
 
-    test_outcome outcome = {.error = gl.GetError(), .debug_messages = debug_messages};
+    test_outcome outcome = {.error = gl.GetError(), .debug_messages = debug_output_count() - messages_before};
     state_take(&after, &objects);
     outcome.differences = state_count_differences(&before, &after);
     outcome.captured = host_settle(&host);
@@ -631,8 +612,7 @@ static void effect_draw_after_failures(int context, const test_target *target)
     expect_failure(context, &frame, EW_ERROR_INVALID_ARGUMENT);
     frame = effect_frame(context, target);
     frame.framebuffer = incomplete_framebuffers[context];
-    bool watched = watching;
-    watching = false; /* Mesa says what an incomplete framebuffer lacks, and what is wrong with a texture */
+    debug_output_pause(); /* Mesa says what an incomplete framebuffer lacks, and what is wrong with a texture */
     expect_failure(context, &frame, EW_ERROR_OPENGL);
     frame = effect_frame(context, target);
     frame.depth_source = EW_DEPTH_TEXTURE;
@@ -643,7 +623,7 @@ static void effect_draw_after_failures(int context, const test_target *target)
     frame.depth_source = EW_DEPTH_FRAMEBUFFER;
     frame.framebuffer = depthless_framebuffers[context];
     expect_failure(context, &frame, EW_ERROR_INVALID_ARGUMENT);
-    watching = watched;
+    if (context == SCRAMBLED) debug_output_resume();
     effect_draw(context, target);
 }
 
@@ -937,12 +917,12 @@ int main(int argc, char **argv)
 
         make_current(CLEAN);
         api_load(contexts[CLEAN]);
-        watch_debug_messages();
+        debug_output_watch();
         make_targets();
         incomplete_framebuffers[CLEAN] = make_incomplete_framebuffer();
         depthless_framebuffers[CLEAN] = make_depthless_framebuffer();
         make_current(SCRAMBLED);
-        watch_debug_messages();
+        debug_output_watch();
         host_create(&host);
         incomplete_framebuffers[SCRAMBLED] = make_incomplete_framebuffer();
         depthless_framebuffers[SCRAMBLED] = make_depthless_framebuffer();

@@ -2,6 +2,7 @@
  *
  *     target_test CONTEXT    one of the names in `kinds` */
 #include "canvas.h"
+#include "debug_output.h"
 #include "glow.h"
 
 #include <setjmp.h>
@@ -260,6 +261,12 @@ static void targets_of_all_sizes_take_turns(void **unused)
         canvas_destroy(&made[i]);
 }
 
+static void gl_has_nothing_to_say(void **unused)
+{
+    (void)unused;
+    assert_int_equal(debug_output_count(), 0);
+}
+
 int main(int argc, char **argv)
 {
     for (size_t i = 0; i < sizeof kinds / sizeof kinds[0]; i++) {
@@ -269,6 +276,7 @@ int main(int argc, char **argv)
         test_context_make_current(context);
         api_load(context);
         fprintf(stderr, "%s, %s\n", (const char *)gl.GetString(GL_RENDERER), (const char *)gl.GetString(GL_VERSION));
+        debug_output_watch();
         effect = glow_create(context);
         floats = canvas_create(WIDTH, HEIGHT, GL_RGBA32F, 0, 0);
         bytes = canvas_create(WIDTH, HEIGHT, GL_RGBA8, 0, 0);
@@ -282,6 +290,7 @@ int main(int argc, char **argv)
             cmocka_unit_test(dither_keeps_the_mean_of_faint_glow),
             cmocka_unit_test(dither_leaves_pixels_without_light_alone),
             cmocka_unit_test(targets_of_all_sizes_take_turns),
+            cmocka_unit_test(gl_has_nothing_to_say),
         };
         int failed = cmocka_run_group_tests_name(kinds[i].name, tests, NULL, NULL);
         canvas_destroy(&floats);

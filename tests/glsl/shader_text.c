@@ -134,7 +134,7 @@ static void write_includes(size_t capacity, const char *version)
     };
     for (size_t i = 0; i < sizeof mixes / sizeof mixes[0]; ++i) {
         for (int integrator = EW_INTEGRATOR_ADAPTIVE; integrator <= EW_INTEGRATOR_SIMPSON; ++integrator) {
-            unsigned key = ew_program_key(&mixes[i], &(ew_frame_desc){.integrator = (ew_integrator)integrator});
+            unsigned key = ew_program_key(&mixes[i], &(ew_frame_desc){.integrator = (ew_integrator)integrator}, 0);
             char *text = malloc(ew_program_write_include(capacity, key, NULL) + 1);
             if (!text) exit(EXIT_FAILURE);
             ew_program_write_include(capacity, key, text);
