@@ -273,8 +273,8 @@ typedef enum ew_encoding {
 } ew_encoding;
 
 /* Where the depth of the opaque scene is, which hides the light behind it. It must have been written with the frame's
- * `projection` and GL's default depth range, pixel for pixel under the target. A viewport or target that is smaller than the
- * depth is fine. */
+ * `projection` and GL's default depth range, pixel for pixel under the target; where there is no surface, it is the far
+ * plane's. A viewport or target that is smaller than the depth is fine. */
 typedef enum ew_depth_source {
     /* `depth_texture`: a 2D texture, level 0, with a depth or depth-stencil format (or depths in the red channel of a float
      * format). Its swizzle, base level, compare mode, filters and depth-stencil mode do not matter. 0: nothing is opaque. */

@@ -304,6 +304,28 @@ static void every_format_of_a_depth_texture_is_read(void **unused)
     }
 }
 
+static void depths_that_no_scene_has_leave_a_picture_of_numbers(void **unused)
+{
+    (void)unused;
+    static const float strange[] = {NAN, INFINITY, -INFINITY, -1, 2, 1e30f, -1e-30f};
+    enum { COUNT = sizeof strange / sizeof strange[0] };
+    static depths values;
+    static picture found;
+    ew_frame_desc frame = glow_frame(0);
+    for (int i = 0; i < WIDTH * HEIGHT; i++)
+        values[i / WIDTH][i % WIDTH] = strange[i % COUNT];
+    frame.depth_texture = make_depth_texture(GL_R32F, values);
+    measure(&frame, found);
+    gl.DeleteTextures(1, &frame.depth_texture);
+    for (int i = 0; i < WIDTH * HEIGHT; i++) {
+        float light = found[i / WIDTH][i % WIDTH][0];
+        assert_true(isfinite(light) && light >= 0);
+        /* Beyond the far plane there is all the light, before the near plane none. */
+        if (strange[i % COUNT] >= 2) assert_true(light > 0);
+        if (strange[i % COUNT] <= -1) assert_true(light == 0);
+    }
+}
+
 static void what_the_host_set_on_its_texture_does_not_matter_and_stays(void **unused)
 {
     (void)unused;
@@ -882,6 +904,7 @@ int main(int argc, char **argv)
         const struct CMUnitTest tests[] = {
             cmocka_unit_test(every_projection_has_the_luminance_of_the_reference),
             cmocka_unit_test(every_format_of_a_depth_texture_is_read),
+            cmocka_unit_test(depths_that_no_scene_has_leave_a_picture_of_numbers),
             cmocka_unit_test(what_the_host_set_on_its_texture_does_not_matter_and_stays),
             cmocka_unit_test(a_viewport_smaller_than_the_depth_is_a_part_of_the_picture),
             cmocka_unit_test(the_host_s_scissor_bounds_the_picture),
