@@ -24,8 +24,6 @@ static const struct {
 static bool has_parameter(const ew_gl *gl, GLenum target, GLenum name)
 {
     switch (name) {
-    case GL_TEXTURE_BASE_LEVEL:
-        return target == GL_TEXTURE_2D; /* the other's is always 0 */
     case GL_DEPTH_STENCIL_TEXTURE_MODE:
         return gl->stencil_texturing;
     case COMPATIBILITY_DEPTH_TEXTURE_MODE:
