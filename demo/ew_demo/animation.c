@@ -41,8 +41,8 @@ static double charge(double seconds)
 
 static void set_orb(demo_animation *a, double seconds)
 {
-    double since = seconds - fire_second, flash = exp(-since * since / 0.02);
-    a->orb.coefficient = 2.2 + 4.2 * charge(seconds) + 1.5 * flash;
+    double since = seconds - fire_second, flash = exp(-since * since / 0.03);
+    a->orb.coefficient = 2.2 + 4.2 * charge(seconds) + 2.5 * flash;
 }
 
 /* Pulses (thesis (5.1)) run from the emitter to the orb, one every 2.5 seconds, over a glow that never quite goes out. */
@@ -82,7 +82,7 @@ static void set_bolt(demo_animation *a, double seconds)
     middle[1] += 3.0;
     ew_curve *curve = &a->curves[ANIMATION_BOLT];
     set_bezier(curve, court_orb, middle, end);
-    curve->coefficient = 5.2 * ramp(0, 0.12, since) * (1 - ramp(bolt_seconds - 1.1, bolt_seconds, since));
+    curve->coefficient = 5.2 * ramp(0, 0.25, since) * (1 - ramp(bolt_seconds - 1.1, bolt_seconds, since));
     double *weights = a->weights[ANIMATION_BOLT];
     /* So fast that the next pulse starts before the last has arrived. */
     double pulse[ANIMATION_WEIGHTS], period = 0.75;
@@ -97,7 +97,7 @@ static void set_ring(demo_animation *a, double seconds)
     double since = fmod(seconds - fire_second + ANIMATION_SECONDS, ANIMATION_SECONDS);
     double left = 1 - ramp(0, ring_seconds, since);
     a->ring.radius = 0.4 + 15 * (1 - exp(-0.75 * since));
-    a->ring.coefficient = 1.6 * ramp(0, 0.15, since) * left;
+    a->ring.coefficient = 1.6 * ramp(0, 0.5, since) * left;
 }
 
 /* Thrown, it turns about its middle while it flies round the steps. */

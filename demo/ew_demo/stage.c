@@ -12,6 +12,9 @@
 #include <math.h>
 #include <stdlib.h>
 
+/* The film's sensitivity follows the mean luminance not quite: what grows brighter shall look brighter. */
+static const double usual_mean = 0.5, adaptation = 0.8;
+
 /* The light meter's picture: small, yet fine enough that a core on one of its pixels does not count. */
 enum { METER_WIDTH = 32, METER_HEIGHT = 18 };
 
@@ -168,8 +171,9 @@ static ew_result draw_energy(demo_stage *stage, const stage_view *view, ew_error
     return result;
 }
 
-/* The mean luminance of the energy in all directions that are seen, as the eye has it: that of the logarithm. */
-static ew_result meter(demo_stage *stage, const stage_view *view, double *mean, ew_error *error)
+/* Sets the film by the mean luminance of the energy in all directions that are seen: that of its logarithm, as the eye has it.
+ */
+static ew_result meter(demo_stage *stage, const stage_view *view, double *sensitivity, ew_error *error)
 {
     const gl_functions *gl = stage->gl;
     float luminances[METER_WIDTH * METER_HEIGHT];
@@ -188,7 +192,8 @@ static ew_result meter(demo_stage *stage, const stage_view *view, double *mean, 
     double sum = 0;
     for (int i = 0; i < METER_WIDTH * METER_HEIGHT; i++)
         sum += log(fmax((double)luminances[i], 1e-3));
-    *mean = exp(sum / (METER_WIDTH * METER_HEIGHT));
+    double mean = exp(sum / (METER_WIDTH * METER_HEIGHT));
+    *sensitivity = pow(mean / usual_mean, -adaptation) / usual_mean;
     return EW_OK;
 }
 
@@ -218,11 +223,11 @@ static ew_result count_evaluations(demo_stage *stage, const stage_view *view, ew
 /* All of the view's mode: the opaque scene, whose depth everything else needs, comes first. */
 static ew_result draw_all(demo_stage *stage, const stage_view *view, ew_error *error)
 {
-    double mean = 1;
+    double sensitivity = 1;
     ew_result result = EW_OK;
     if (view->lit) {
-        result = meter(stage, view, &mean, error);
-        if (!result) result = draw_court(stage, view, 1 / mean, error);
+        result = meter(stage, view, &sensitivity, error);
+        if (!result) result = draw_court(stage, view, sensitivity, error);
     }
     if (result) return result;
     if (view->mode != STAGE_PICTURE) return draw_maps(stage, view, error);
@@ -232,7 +237,7 @@ static ew_result draw_all(demo_stage *stage, const stage_view *view, ew_error *e
                               .energy = stage->energy,
                               .samples_per_axis = stage->samples_per_axis,
                               .graded = view->lit,
-                              .sensitivity = 1 / mean,
+                              .sensitivity = sensitivity,
                               .encoded = true};
     film_develop(stage->gl, &stage->film, &exposure, stage->picture_framebuffer, stage->width, stage->height);
     return result;

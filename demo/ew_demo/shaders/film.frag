@@ -6,7 +6,7 @@ uniform sampler2D opaque_scene;
 uniform sampler2D energy;
 uniform int samples_per_axis;
 uniform bool graded;
-uniform float sensitivity; // to the energy: 1 / its mean luminance
+uniform float sensitivity; // to the energy: about 1 / its mean luminance
 uniform bool encoded;
 
 out vec4 result;
