@@ -518,7 +518,6 @@ static void the_copy_of_the_depth_grows_with_the_viewport(void **unused)
 {
     (void)unused;
     canvas made = canvas_create(WIDTH, HEIGHT, GL_RGBA32F, GL_DEPTH_COMPONENT24, 0);
-    ew_effect *other = glow_create(context);
     static picture expected, found;
     ew_frame_desc frame = glow_frame(made.framebuffer);
     frame.output = EW_OUTPUT_LUMINANCE;
@@ -526,19 +525,22 @@ static void the_copy_of_the_depth_grows_with_the_viewport(void **unused)
     canvas_clear_depth(&made, 1, near_box, 0.86f);
     draw_to(&made, &frame, expected);
 
-    ew_frame_desc part = frame;
-    part.viewport_width = WIDTH / 2;
-    part.viewport_height = HEIGHT / 3;
-    glow_draw(other, &part);
-    part.viewport_height = HEIGHT;
-    glow_draw(other, &part);
-    part = frame;
-    part.viewport_x = -WIDTH;
-    glow_draw(other, &part); /* beside the picture */
-    canvas_clear(&made, black);
-    glow_draw(other, &frame);
-    canvas_read(&made, &found[0][0][0]);
-    assert_int_equal(count_different_pixels(expected, found), 0);
+    /* Narrower, lower, and beside the picture. */
+    static const GLint parts[][3] = {{0, WIDTH / 2, HEIGHT}, {0, WIDTH, HEIGHT / 3}, {-WIDTH, WIDTH, HEIGHT}};
+    ew_effect *other;
+    for (size_t i = 0; i < sizeof parts / sizeof parts[0]; i++) {
+        other = glow_create(context);
+        ew_frame_desc part = frame;
+        part.viewport_x = parts[i][0];
+        part.viewport_width = parts[i][1];
+        part.viewport_height = parts[i][2];
+        glow_draw(other, &part);
+        canvas_clear(&made, black);
+        glow_draw(other, &frame);
+        canvas_read(&made, &found[0][0][0]);
+        assert_int_equal(count_different_pixels(expected, found), 0);
+        ew_destroy_effect(other);
+    }
 
     /* An unpack buffer of the host's is no source of depth. */
     GLuint buffer;
@@ -546,7 +548,6 @@ static void the_copy_of_the_depth_grows_with_the_viewport(void **unused)
     gl.GenBuffers(1, &buffer);
     gl.BindBuffer(GL_PIXEL_UNPACK_BUFFER, buffer);
     gl.BufferData(GL_PIXEL_UNPACK_BUFFER, sizeof bytes, bytes, GL_STATIC_DRAW);
-    ew_destroy_effect(other);
     other = glow_create(context);
     canvas_clear(&made, black);
     glow_draw(other, &frame);
