@@ -517,7 +517,7 @@ static void the_depth_of_a_framebuffer_is_copied_whatever_its_format(void **unus
 static void the_copy_of_the_depth_grows_with_the_viewport(void **unused)
 {
     (void)unused;
-    canvas made = canvas_create(WIDTH, HEIGHT, GL_RGBA32F, GL_DEPTH_COMPONENT24, 0);
+    canvas made = canvas_create(WIDTH, HEIGHT, GL_RGBA32F, GL_DEPTH_COMPONENT16, 0);
     static picture expected, found;
     ew_frame_desc frame = glow_frame(made.framebuffer);
     frame.output = EW_OUTPUT_LUMINANCE;
@@ -568,6 +568,34 @@ static void the_copy_of_the_depth_grows_with_the_viewport(void **unused)
     glow_draw(other, &frame);
     ew_destroy_effect(other);
     canvas_destroy(&made);
+}
+
+static int count_textures(void)
+{
+    int count = 0;
+    for (GLuint name = 1; name < 4096; name++)
+        count += gl.IsTexture(name);
+    return count;
+}
+
+static void copies_of_framebuffers_in_turn_leave_no_texture_behind(void **unused)
+{
+    (void)unused;
+    const int before = count_textures();
+    canvas made[2];
+    for (int i = 0; i < 2; i++)
+        made[i] = canvas_create(WIDTH, HEIGHT, GL_RGBA8, GL_DEPTH24_STENCIL8, i * SAMPLES);
+    ew_effect *other = glow_create(context);
+    for (int i = 0; i < 6; i++) {
+        ew_frame_desc frame = glow_frame(made[i % 2].framebuffer);
+        frame.depth_source = EW_DEPTH_FRAMEBUFFER;
+        glow_draw(other, &frame);
+    }
+    ew_destroy_effect(other);
+    for (int i = 0; i < 2; i++)
+        canvas_destroy(&made[i]);
+    assert_int_equal(count_textures(), before);
+    assert_int_equal(gl.GetError(), GL_NO_ERROR);
 }
 
 static void the_depth_of_the_window_is_copied(void **unused)
@@ -911,6 +939,7 @@ int main(int argc, char **argv)
             cmocka_unit_test(the_host_s_scissor_bounds_the_picture),
             cmocka_unit_test(the_depth_of_a_framebuffer_is_copied_whatever_its_format),
             cmocka_unit_test(the_copy_of_the_depth_grows_with_the_viewport),
+            cmocka_unit_test(copies_of_framebuffers_in_turn_leave_no_texture_behind),
             cmocka_unit_test(the_depth_of_the_window_is_copied),
             cmocka_unit_test(a_resolved_picture_is_the_mean_of_its_samples_pictures),
             cmocka_unit_test(multisampled_depth_on_other_targets_is_the_mean_over_the_samples),
