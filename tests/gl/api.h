@@ -106,6 +106,7 @@
     X(PFNGLISBUFFERPROC, IsBuffer, 0, "")                                                                                      \
     X(PFNGLISENABLEDPROC, IsEnabled, 0, "")                                                                                    \
     X(PFNGLISENABLEDIPROC, IsEnabledi, 32, "OES")                                                                              \
+    X(PFNGLISFRAMEBUFFERPROC, IsFramebuffer, 0, "")                                                                            \
     X(PFNGLISPROGRAMPROC, IsProgram, 0, "")                                                                                    \
     X(PFNGLISSAMPLERPROC, IsSampler, 0, "")                                                                                    \
     X(PFNGLISTEXTUREPROC, IsTexture, 0, "")                                                                                    \

@@ -570,18 +570,18 @@ static void the_copy_of_the_depth_grows_with_the_viewport(void **unused)
     canvas_destroy(&made);
 }
 
-static int count_textures(void)
+static int count_objects(void)
 {
     int count = 0;
     for (GLuint name = 1; name < 4096; name++)
-        count += gl.IsTexture(name);
+        count += gl.IsTexture(name) + gl.IsFramebuffer(name);
     return count;
 }
 
-static void copies_of_framebuffers_in_turn_leave_no_texture_behind(void **unused)
+static void copies_of_framebuffers_in_turn_leave_no_object_behind(void **unused)
 {
     (void)unused;
-    const int before = count_textures();
+    const int before = count_objects();
     canvas made[2];
     for (int i = 0; i < 2; i++)
         made[i] = canvas_create(WIDTH, HEIGHT, GL_RGBA8, GL_DEPTH24_STENCIL8, i * SAMPLES);
@@ -594,7 +594,7 @@ static void copies_of_framebuffers_in_turn_leave_no_texture_behind(void **unused
     ew_destroy_effect(other);
     for (int i = 0; i < 2; i++)
         canvas_destroy(&made[i]);
-    assert_int_equal(count_textures(), before);
+    assert_int_equal(count_objects(), before);
     assert_int_equal(gl.GetError(), GL_NO_ERROR);
 }
 
@@ -939,7 +939,7 @@ int main(int argc, char **argv)
             cmocka_unit_test(the_host_s_scissor_bounds_the_picture),
             cmocka_unit_test(the_depth_of_a_framebuffer_is_copied_whatever_its_format),
             cmocka_unit_test(the_copy_of_the_depth_grows_with_the_viewport),
-            cmocka_unit_test(copies_of_framebuffers_in_turn_leave_no_texture_behind),
+            cmocka_unit_test(copies_of_framebuffers_in_turn_leave_no_object_behind),
             cmocka_unit_test(the_depth_of_the_window_is_copied),
             cmocka_unit_test(a_resolved_picture_is_the_mean_of_its_samples_pictures),
             cmocka_unit_test(multisampled_depth_on_other_targets_is_the_mean_over_the_samples),
