@@ -192,6 +192,25 @@ static void sources_change_every_frame_without_an_allocation(void **state)
     assert_int_equal(l.given.live, 0);
 }
 
+static ew_gl_function lacks_a_function(void *user, const char *name)
+{
+    return strcmp(name, "glDrawArrays") == 0 ? NULL : watched_gl_get_proc_address(user, name);
+}
+
+static void an_effect_that_is_refused_leaves_nothing(void **state)
+{
+    (void)state;
+    watched_gl_start(&watched, context);
+    ration given = {.refused = -1};
+    const ew_allocator allocator = {allocate, deallocate, &given};
+    const ew_effect_desc desc = {.get_proc_address = lacks_a_function, .allocator = &allocator};
+    ew_effect *effect = NULL;
+    assert_int_equal(ew_create_effect(&desc, &effect, NULL), EW_ERROR_MISSING_FUNCTION);
+    assert_null(effect);
+    assert_int_equal(given.live, 0);
+    assert_int_equal(watched.objects, 0);
+}
+
 static void an_allocator_needs_both_functions(void **state)
 {
     (void)state;
@@ -260,6 +279,7 @@ int main(int argc, char **argv)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(any_allocation_may_fail_and_changes_nothing),
         cmocka_unit_test(sources_change_every_frame_without_an_allocation),
+        cmocka_unit_test(an_effect_that_is_refused_leaves_nothing),
         cmocka_unit_test(an_allocator_needs_both_functions),
         cmocka_unit_test(a_thousand_lives_leave_no_object_and_no_byte),
     };

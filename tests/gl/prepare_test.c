@@ -133,6 +133,30 @@ static void a_general_shader_draws_any_sources_and_the_same_light(void **state)
     ew_destroy_effect(exact);
 }
 
+/* Weights, a kind or a number of sources that a shader does not know would be left out. */
+static void a_shader_that_lacks_something_is_not_used(void **state)
+{
+    (void)state;
+    static const ew_mix lacking[] = {
+        {.curve_count = EW_ANY_COUNT},
+        {.point_count = EW_ANY_COUNT, .has_weights = 1},
+        {.curve_count = 1, .has_weights = 1},
+        {.curve_count = 3, .has_weights = 1},
+    };
+    watched_gl_start(&watched, context);
+    ew_effect *effect = create_effect();
+    field f;
+    set_field(effect, &f, 0, 0, 0, 2, true);
+    ew_frame_desc frame = make_frame(target, EW_OUTPUT_ADD);
+    for (size_t i = 0; i < sizeof lacking / sizeof lacking[0]; i++)
+        prepare_until_ready(effect, &lacking[i], &frame);
+    int compiled = watched.compiled;
+    picture drawn;
+    draw(effect, &frame, &drawn);
+    assert_true(watched.compiled > compiled);
+    ew_destroy_effect(effect);
+}
+
 /* With a driver that compiles on other threads, played by the loader. */
 static void nothing_waits_for_a_compiler_that_is_at_work(void **state)
 {
@@ -271,6 +295,7 @@ int main(int argc, char **argv)
         cmocka_unit_test(a_draw_of_what_was_prepared_compiles_nothing),
         cmocka_unit_test(preparing_draws_nothing),
         cmocka_unit_test(a_general_shader_draws_any_sources_and_the_same_light),
+        cmocka_unit_test(a_shader_that_lacks_something_is_not_used),
         cmocka_unit_test(nothing_waits_for_a_compiler_that_is_at_work),
         cmocka_unit_test(an_effect_destroyed_while_it_compiles_loses_nothing),
         cmocka_unit_test(a_driver_that_refuses_a_shader_is_an_error),
