@@ -389,12 +389,13 @@ typedef struct ew_mix {
 /* Compiles ahead, so that ew_draw need not: starts to make the shader that draws `mix` as `frame` says, and asks whether it is
  * ready. Call it again, every frame or so, until it is.
  *
- * A shader is made for a mix and for the frame's integrator, output, depth and dither, and drivers may finish it for the
- * framebuffer's format only; all else in `frame` and in the sources may change freely. ew_draw takes the shader for just the
- * sources that the effect has if it is ready; else, one that is more general; and only if none is ready does it wait for a
- * compiler. So a host whose sources come and go prepares a general mix while it loads, with EW_ANY_COUNT of each kind that may
- * come, and no draw of any of them will ever wait; and, if it likes, prepares the current sources too, whenever they change, to
- * get their faster shader once that is ready.
+ * A shader is made for a mix and for the frame's integrator, output, depth and dither, and drivers may finish it only for the
+ * context and the framebuffer's format that it draws with; all else in `frame` and in the sources may change freely. ew_draw
+ * takes the shader for just the sources that the effect has if it is ready; else, one that is more general; and only if none is
+ * ready does it wait for a compiler. So a host whose sources come and go prepares a general mix while it loads, with
+ * EW_ANY_COUNT of each kind that may come, and no draw of any of them will ever wait; and, if it likes, prepares the current
+ * sources too, whenever they change, to get their faster shader once that is ready. What was prepared on a loader's thread is
+ * prepared once more, sooner, in the context that will draw.
  *
  * The driver compiles on threads of its own where it has GL_KHR_parallel_shader_compile; where it has not, the call waits for
  * the compiler. Once compiled, the shader is used for a first draw, all of it outside of the viewport, since some drivers only

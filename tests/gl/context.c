@@ -3,6 +3,7 @@
 
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 struct test_context {
     const test_platform *platform;
@@ -10,6 +11,30 @@ struct test_context {
 };
 
 static _Thread_local const test_platform *current_platform;
+
+bool test_context_describe(const char *name, test_context_desc *desc)
+{
+    static const struct {
+        const char *name;
+        test_context_desc desc;
+    } kinds[] = {
+        {"gl33", {.major = 3, .minor = 3}},
+        {"gl45", {.major = 4, .minor = 5}},
+        {"gl45_compatibility", {.major = 4, .minor = 5, .compatibility = true}},
+        {"es30", {.es = true, .major = 3, .minor = 0}},
+        {"es31", {.es = true, .major = 3, .minor = 1}},
+        {"es32", {.es = true, .major = 3, .minor = 2}},
+        {"osmesa33", {.osmesa = true, .major = 3, .minor = 3}},
+        {"osmesa45_compatibility", {.osmesa = true, .major = 4, .minor = 5, .compatibility = true}},
+    };
+    for (size_t i = 0; name && i < sizeof kinds / sizeof kinds[0]; i++) {
+        if (strcmp(name, kinds[i].name) != 0) continue;
+        *desc = kinds[i].desc;
+        return true;
+    }
+    fprintf(stderr, "the argument must name a kind of context: see context.h\n");
+    return false;
+}
 
 test_context *test_context_create(const test_context_desc *desc)
 {

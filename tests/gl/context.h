@@ -20,6 +20,10 @@ typedef struct test_context_desc {
     test_context *share; /* a context of the same description to share objects with, or NULL */
 } test_context_desc;
 
+/* Describes the kind of context of that name: gl33, gl45, gl45_compatibility, es30, es31, es32, osmesa33 or
+ * osmesa45_compatibility. False, with a line on stderr, if there is none. */
+bool test_context_describe(const char *name, test_context_desc *desc);
+
 /* A debug context where the platform has them. NULL, with a line on stderr, if there is none. */
 test_context *test_context_create(const test_context_desc *desc);
 void test_context_make_current(test_context *context); /* NULL: none is current */

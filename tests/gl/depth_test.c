@@ -1,6 +1,6 @@
 /* The opaque scene's depth, of every kind: the light ends where the scene begins, pixel by pixel as the reference has it.
  *
- *     depth_test CONTEXT    one of the names in `kinds` */
+ *     depth_test CONTEXT    one of the names in context.h */
 #include "canvas.h"
 #include "debug_output.h"
 #include "glow.h"
@@ -21,19 +21,6 @@ enum { WIDTH = GLOW_WIDTH, HEIGHT = GLOW_HEIGHT, SAMPLES = 4 };
 
 typedef GLfloat picture[HEIGHT][WIDTH][4];
 typedef GLfloat depths[HEIGHT][WIDTH];
-
-static const struct {
-    const char *name;
-    test_context_desc desc;
-} kinds[] = {
-    {"gl33", {.major = 3, .minor = 3, .window = true}},
-    {"gl45", {.major = 4, .minor = 5, .window = true, .window_samples = SAMPLES}},
-    {"gl45_compatibility", {.major = 4, .minor = 5, .compatibility = true, .window = true}},
-    {"es30", {.es = true, .major = 3, .minor = 0, .window = true}},
-    {"es31", {.es = true, .major = 3, .minor = 1, .window = true, .window_samples = SAMPLES}},
-    {"es32", {.es = true, .major = 3, .minor = 2, .window = true}},
-    {"osmesa33", {.osmesa = true, .major = 3, .minor = 3}},
-};
 
 static test_context *context;
 static ew_effect *effect;
@@ -919,40 +906,39 @@ static void gl_has_nothing_to_say(void **unused)
 
 int main(int argc, char **argv)
 {
-    for (size_t i = 0; i < sizeof kinds / sizeof kinds[0]; i++) {
-        if (argc != 2 || strcmp(argv[1], kinds[i].name) != 0) continue;
-        context = test_context_create(&kinds[i].desc);
-        if (context == NULL) return 1;
-        test_context_make_current(context);
-        api_load(context);
-        fprintf(stderr, "%s, %s\n", (const char *)gl.GetString(GL_RENDERER), (const char *)gl.GetString(GL_VERSION));
-        debug_output_watch();
-        effect = glow_create(context);
-        target = canvas_create(WIDTH, HEIGHT, GL_RGBA32F, 0, 0);
+    test_context_desc desc;
+    if (argc != 2 || !test_context_describe(argv[1], &desc)) return 2;
+    desc.window = !desc.osmesa;
+    if (strcmp(argv[1], "gl45") == 0 || strcmp(argv[1], "es31") == 0) desc.window_samples = SAMPLES;
+    context = test_context_create(&desc);
+    if (context == NULL) return 1;
+    test_context_make_current(context);
+    api_load(context);
+    fprintf(stderr, "%s, %s\n", (const char *)gl.GetString(GL_RENDERER), (const char *)gl.GetString(GL_VERSION));
+    debug_output_watch();
+    effect = glow_create(context);
+    target = canvas_create(WIDTH, HEIGHT, GL_RGBA32F, 0, 0);
 
-        const struct CMUnitTest tests[] = {
-            cmocka_unit_test(every_projection_has_the_luminance_of_the_reference),
-            cmocka_unit_test(every_format_of_a_depth_texture_is_read),
-            cmocka_unit_test(depths_that_no_scene_has_leave_a_picture_of_numbers),
-            cmocka_unit_test(what_the_host_set_on_its_texture_does_not_matter_and_stays),
-            cmocka_unit_test(a_viewport_smaller_than_the_depth_is_a_part_of_the_picture),
-            cmocka_unit_test(the_host_s_scissor_bounds_the_picture),
-            cmocka_unit_test(the_depth_of_a_framebuffer_is_copied_whatever_its_format),
-            cmocka_unit_test(the_copy_of_the_depth_grows_with_the_viewport),
-            cmocka_unit_test(copies_of_framebuffers_in_turn_leave_no_object_behind),
-            cmocka_unit_test(the_depth_of_the_window_is_copied),
-            cmocka_unit_test(a_resolved_picture_is_the_mean_of_its_samples_pictures),
-            cmocka_unit_test(multisampled_depth_on_other_targets_is_the_mean_over_the_samples),
-            cmocka_unit_test(depth_that_cannot_be_read_is_refused_by_name),
-            cmocka_unit_test(gl_has_nothing_to_say),
-        };
-        int failed = cmocka_run_group_tests_name(kinds[i].name, tests, NULL, NULL);
-        canvas_destroy(&target);
-        ew_destroy_effect(effect);
-        test_context_make_current(NULL);
-        test_context_destroy(context);
-        return failed;
-    }
-    fprintf(stderr, "usage: depth_test CONTEXT\n");
-    return 2;
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(every_projection_has_the_luminance_of_the_reference),
+        cmocka_unit_test(every_format_of_a_depth_texture_is_read),
+        cmocka_unit_test(depths_that_no_scene_has_leave_a_picture_of_numbers),
+        cmocka_unit_test(what_the_host_set_on_its_texture_does_not_matter_and_stays),
+        cmocka_unit_test(a_viewport_smaller_than_the_depth_is_a_part_of_the_picture),
+        cmocka_unit_test(the_host_s_scissor_bounds_the_picture),
+        cmocka_unit_test(the_depth_of_a_framebuffer_is_copied_whatever_its_format),
+        cmocka_unit_test(the_copy_of_the_depth_grows_with_the_viewport),
+        cmocka_unit_test(copies_of_framebuffers_in_turn_leave_no_object_behind),
+        cmocka_unit_test(the_depth_of_the_window_is_copied),
+        cmocka_unit_test(a_resolved_picture_is_the_mean_of_its_samples_pictures),
+        cmocka_unit_test(multisampled_depth_on_other_targets_is_the_mean_over_the_samples),
+        cmocka_unit_test(depth_that_cannot_be_read_is_refused_by_name),
+        cmocka_unit_test(gl_has_nothing_to_say),
+    };
+    int failed = cmocka_run_group_tests_name(argv[1], tests, NULL, NULL);
+    canvas_destroy(&target);
+    ew_destroy_effect(effect);
+    test_context_make_current(NULL);
+    test_context_destroy(context);
+    return failed;
 }

@@ -1,39 +1,22 @@
 /* Contexts, targets, frames and sources for the tests of an effect's life. */
 #include "effect_fixture.h"
+#include "debug_output.h"
 
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-static const struct {
-    const char *name;
-    test_context_desc desc;
-} kinds[] = {
-    {"gl33", {.major = 3, .minor = 3}},
-    {"gl45", {.major = 4, .minor = 5}},
-    {"gl45_compatibility", {.major = 4, .minor = 5, .compatibility = true}},
-    {"es30", {.es = true, .major = 3, .minor = 0}},
-    {"es31", {.es = true, .major = 3, .minor = 1}},
-    {"es32", {.es = true, .major = 3, .minor = 2}},
-    {"osmesa33", {.osmesa = true, .major = 3, .minor = 3}},
-    {"osmesa45_compatibility", {.osmesa = true, .major = 4, .minor = 5, .compatibility = true}},
-};
-
 test_context *open_context(const char *name, test_context *share)
 {
-    for (size_t i = 0; i < sizeof kinds / sizeof kinds[0]; i++) {
-        if (strcmp(name, kinds[i].name) != 0) continue;
-        test_context_desc desc = kinds[i].desc;
-        desc.share = share;
-        test_context *context = test_context_create(&desc);
-        if (context == NULL) return NULL;
-        test_context_make_current(context);
-        api_load(context);
-        return context;
-    }
-    fprintf(stderr, "no kind of context is called %s\n", name);
-    return NULL;
+    test_context_desc desc;
+    if (!test_context_describe(name, &desc)) return NULL;
+    desc.share = share;
+    test_context *context = test_context_create(&desc);
+    if (context == NULL) return NULL;
+    test_context_make_current(context);
+    api_load(context);
+    debug_output_watch();
+    return context;
 }
 
 GLuint make_framebuffer_of(GLuint renderbuffer)

@@ -13,8 +13,8 @@ typedef struct picture {
     GLfloat pixels[PICTURE_HEIGHT][PICTURE_WIDTH][4];
 } picture;
 
-/* A context of the kind called `name` (see effect_fixture.c), sharing objects with `share` or NULL; it becomes current, and
- * `gl` is loaded. NULL if there is no such kind or context. */
+/* A context of the kind called `name` (see context.h), sharing objects with `share` or NULL; it becomes current, `gl` is
+ * loaded, and debug output watched. NULL if there is no such kind or context. */
 test_context *open_context(const char *name, test_context *share);
 
 /* A framebuffer of the current context with an RGBA32F attachment of the picture's size, and the attachment. */

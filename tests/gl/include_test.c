@@ -1,6 +1,7 @@
 /* A host that computes the light in its own shader, from the text that the library gives: as ew_draw does, pixel by pixel.
  *
- *     include_test CONTEXT    one of the names in effect_fixture.c */
+ *     include_test CONTEXT    one of the names in context.h */
+#include "debug_output.h"
 #include "effect_fixture.h"
 
 #include <setjmp.h>
@@ -336,6 +337,12 @@ static void bad_arguments_are_errors_that_change_nothing(void **state)
     ew_destroy_effect(effect);
 }
 
+static void gl_has_nothing_to_say(void **state)
+{
+    (void)state;
+    assert_int_equal(debug_output_count(), 0);
+}
+
 int main(int argc, char **argv)
 {
     if (argc != 2 || (context = open_context(argv[1], NULL)) == NULL) return 2;
@@ -350,6 +357,7 @@ int main(int argc, char **argv)
         cmocka_unit_test(rays_may_start_anywhere_and_end_at_what_is_opaque),
         cmocka_unit_test(the_buffer_keeps_its_name_and_the_host_its_binding),
         cmocka_unit_test(bad_arguments_are_errors_that_change_nothing),
+        cmocka_unit_test(gl_has_nothing_to_say),
     };
     int failed = cmocka_run_group_tests_name(argv[1], tests, set_up_one_of_each, tear_down_one_of_each);
     test_context_make_current(NULL);

@@ -1,6 +1,7 @@
 /* The memory and the objects of effects: what the host's allocator gives and refuses, and what is left after a thousand lives.
  *
- *     memory_test CONTEXT    one of the names in effect_fixture.c */
+ *     memory_test CONTEXT    one of the names in context.h */
+#include "debug_output.h"
 #include "effect_fixture.h"
 #include "watched_gl.h"
 
@@ -270,6 +271,12 @@ static void add_depth(GLuint framebuffer)
     gl.BindFramebuffer(GL_FRAMEBUFFER, 0);
 }
 
+static void gl_has_nothing_to_say(void **state)
+{
+    (void)state;
+    assert_int_equal(debug_output_count(), 0);
+}
+
 int main(int argc, char **argv)
 {
     if (argc != 2 || (context = open_context(argv[1], NULL)) == NULL) return 2;
@@ -282,6 +289,7 @@ int main(int argc, char **argv)
         cmocka_unit_test(an_effect_that_is_refused_leaves_nothing),
         cmocka_unit_test(an_allocator_needs_both_functions),
         cmocka_unit_test(a_thousand_lives_leave_no_object_and_no_byte),
+        cmocka_unit_test(gl_has_nothing_to_say),
     };
     int failed = cmocka_run_group_tests_name(argv[1], tests, NULL, NULL);
     test_context_make_current(NULL);

@@ -1,6 +1,6 @@
 /* The guard against hosts in any condition: all GL state is as before, and the picture as from a clean state.
  *
- *     state_guard_test CONTEXT    one of the names in `kinds`
+ *     state_guard_test CONTEXT    one of the names in context.h
  *
  * Two contexts share their objects: a clean one, which prepares the targets and reads the pictures, and a scrambled one. */
 #include "compatibility.h"
@@ -21,20 +21,6 @@ enum { WIDTH = 32, HEIGHT = 24, SAMPLES = 4 };
 /* As many that every capability is the only one enabled before a draw to every target. The effect takes fewer: its shaders are
  * slow to compile, anew for much of the state that changes. */
 enum { GUARD_SEEDS = 400, EFFECT_SEEDS = 36, LIFE_SEEDS = 18, DIRTY_SEEDS = 24 };
-
-static const struct {
-    const char *name;
-    test_context_desc desc;
-} kinds[] = {
-    {"gl33", {.major = 3, .minor = 3}},
-    {"gl45", {.major = 4, .minor = 5}},
-    {"gl45_compatibility", {.major = 4, .minor = 5, .compatibility = true}},
-    {"es30", {.es = true, .major = 3, .minor = 0}},
-    {"es31", {.es = true, .major = 3, .minor = 1}},
-    {"es32", {.es = true, .major = 3, .minor = 2}},
-    {"osmesa33", {.osmesa = true, .major = 3, .minor = 3}},
-    {"osmesa45_compatibility", {.osmesa = true, .major = 4, .minor = 5, .compatibility = true}},
-};
 
 /* What is drawn to: a colour attachment that should get the picture, one that should not, depth and stencil. */
 typedef struct test_target {
@@ -907,45 +893,41 @@ static void objects_that_another_context_deleted_do_not_come_back(void **unused)
 
 int main(int argc, char **argv)
 {
-    for (size_t i = 0; i < sizeof kinds / sizeof kinds[0]; i++) {
-        if (argc != 2 || strcmp(argv[1], kinds[i].name) != 0) continue;
-        test_context_desc desc = kinds[i].desc;
-        contexts[CLEAN] = test_context_create(&desc);
-        desc.share = contexts[CLEAN];
-        contexts[SCRAMBLED] = contexts[CLEAN] ? test_context_create(&desc) : NULL;
-        if (contexts[SCRAMBLED] == NULL) return 1;
+    test_context_desc desc;
+    if (argc != 2 || !test_context_describe(argv[1], &desc)) return 2;
+    contexts[CLEAN] = test_context_create(&desc);
+    desc.share = contexts[CLEAN];
+    contexts[SCRAMBLED] = contexts[CLEAN] ? test_context_create(&desc) : NULL;
+    if (contexts[SCRAMBLED] == NULL) return 1;
 
-        make_current(CLEAN);
-        api_load(contexts[CLEAN]);
-        debug_output_watch();
-        make_targets();
-        incomplete_framebuffers[CLEAN] = make_incomplete_framebuffer();
-        depthless_framebuffers[CLEAN] = make_depthless_framebuffer();
-        make_current(SCRAMBLED);
-        debug_output_watch();
-        host_create(&host);
-        incomplete_framebuffers[SCRAMBLED] = make_incomplete_framebuffer();
-        depthless_framebuffers[SCRAMBLED] = make_depthless_framebuffer();
-        for (int j = 0; j < TARGET_COUNT; j++)
-            targets[j].framebuffers[SCRAMBLED] = make_framebuffer(&targets[j]);
-        fprintf(stderr, "%s, %s\n", (const char *)gl.GetString(GL_RENDERER), (const char *)gl.GetString(GL_VERSION));
+    make_current(CLEAN);
+    api_load(contexts[CLEAN]);
+    debug_output_watch();
+    make_targets();
+    incomplete_framebuffers[CLEAN] = make_incomplete_framebuffer();
+    depthless_framebuffers[CLEAN] = make_depthless_framebuffer();
+    make_current(SCRAMBLED);
+    debug_output_watch();
+    host_create(&host);
+    incomplete_framebuffers[SCRAMBLED] = make_incomplete_framebuffer();
+    depthless_framebuffers[SCRAMBLED] = make_depthless_framebuffer();
+    for (int j = 0; j < TARGET_COUNT; j++)
+        targets[j].framebuffers[SCRAMBLED] = make_framebuffer(&targets[j]);
+    fprintf(stderr, "%s, %s\n", (const char *)gl.GetString(GL_RENDERER), (const char *)gl.GetString(GL_VERSION));
 
-        const struct CMUnitTest tests[] = {
-            cmocka_unit_test(guard_restores_all_state_and_the_picture_is_clean),
-            cmocka_unit_test(preparing_and_drawing_leave_all_state_and_the_picture_is_clean),
-            cmocka_unit_test(create_and_destroy_leave_all_state),
-            cmocka_unit_test(failed_draws_leave_all_state),
-            cmocka_unit_test(without_restoration_only_what_is_documented_is_dirty),
-            cmocka_unit_test(a_program_that_cannot_be_restored_is_refused),
-            cmocka_unit_test(the_window_s_framebuffer_is_drawn_to_if_there_is_one),
-            cmocka_unit_test(objects_that_another_context_deleted_do_not_come_back),
-        };
-        int failed = cmocka_run_group_tests_name(kinds[i].name, tests, NULL, NULL);
-        test_context_make_current(NULL);
-        test_context_destroy(contexts[SCRAMBLED]);
-        test_context_destroy(contexts[CLEAN]);
-        return failed;
-    }
-    fprintf(stderr, "usage: state_guard_test CONTEXT\n");
-    return 2;
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(guard_restores_all_state_and_the_picture_is_clean),
+        cmocka_unit_test(preparing_and_drawing_leave_all_state_and_the_picture_is_clean),
+        cmocka_unit_test(create_and_destroy_leave_all_state),
+        cmocka_unit_test(failed_draws_leave_all_state),
+        cmocka_unit_test(without_restoration_only_what_is_documented_is_dirty),
+        cmocka_unit_test(a_program_that_cannot_be_restored_is_refused),
+        cmocka_unit_test(the_window_s_framebuffer_is_drawn_to_if_there_is_one),
+        cmocka_unit_test(objects_that_another_context_deleted_do_not_come_back),
+    };
+    int failed = cmocka_run_group_tests_name(argv[1], tests, NULL, NULL);
+    test_context_make_current(NULL);
+    test_context_destroy(contexts[SCRAMBLED]);
+    test_context_destroy(contexts[CLEAN]);
+    return failed;
 }

@@ -1,6 +1,6 @@
 /* What the light does to targets of every kind: encoded once, blended as documented, dithered where asked.
  *
- *     target_test CONTEXT    one of the names in `kinds` */
+ *     target_test CONTEXT    one of the names in context.h */
 #include "canvas.h"
 #include "debug_output.h"
 #include "glow.h"
@@ -16,16 +16,6 @@
 #include <string.h>
 
 enum { WIDTH = GLOW_WIDTH, HEIGHT = GLOW_HEIGHT, VALUES = WIDTH * HEIGHT * 4 };
-
-static const struct {
-    const char *name;
-    test_context_desc desc;
-} kinds[] = {
-    {"gl33", {.major = 3, .minor = 3}},
-    {"gl45_compatibility", {.major = 4, .minor = 5, .compatibility = true}},
-    {"es30", {.es = true, .major = 3, .minor = 0}},
-    {"osmesa33", {.osmesa = true, .major = 3, .minor = 3}},
-};
 
 static test_context *context;
 static ew_effect *effect;
@@ -269,38 +259,35 @@ static void gl_has_nothing_to_say(void **unused)
 
 int main(int argc, char **argv)
 {
-    for (size_t i = 0; i < sizeof kinds / sizeof kinds[0]; i++) {
-        if (argc != 2 || strcmp(argv[1], kinds[i].name) != 0) continue;
-        context = test_context_create(&kinds[i].desc);
-        if (context == NULL) return 1;
-        test_context_make_current(context);
-        api_load(context);
-        fprintf(stderr, "%s, %s\n", (const char *)gl.GetString(GL_RENDERER), (const char *)gl.GetString(GL_VERSION));
-        debug_output_watch();
-        effect = glow_create(context);
-        floats = canvas_create(WIDTH, HEIGHT, GL_RGBA32F, 0, 0);
-        bytes = canvas_create(WIDTH, HEIGHT, GL_RGBA8, 0, 0);
-        srgb = canvas_create(WIDTH, HEIGHT, GL_SRGB8_ALPHA8, 0, 0);
+    test_context_desc desc;
+    if (argc != 2 || !test_context_describe(argv[1], &desc)) return 2;
+    context = test_context_create(&desc);
+    if (context == NULL) return 1;
+    test_context_make_current(context);
+    api_load(context);
+    fprintf(stderr, "%s, %s\n", (const char *)gl.GetString(GL_RENDERER), (const char *)gl.GetString(GL_VERSION));
+    debug_output_watch();
+    effect = glow_create(context);
+    floats = canvas_create(WIDTH, HEIGHT, GL_RGBA32F, 0, 0);
+    bytes = canvas_create(WIDTH, HEIGHT, GL_RGBA8, 0, 0);
+    srgb = canvas_create(WIDTH, HEIGHT, GL_SRGB8_ALPHA8, 0, 0);
 
-        const struct CMUnitTest tests[] = {
-            cmocka_unit_test(an_srgb_target_is_encoded_once_whatever_the_switch_says),
-            cmocka_unit_test(a_linear_target_keeps_its_values_whatever_the_switch_says),
-            cmocka_unit_test(color_and_alpha_follow_the_documented_rules),
-            cmocka_unit_test(a_layer_laid_over_a_picture_is_as_if_drawn_there),
-            cmocka_unit_test(dither_keeps_the_mean_of_faint_glow),
-            cmocka_unit_test(dither_leaves_pixels_without_light_alone),
-            cmocka_unit_test(targets_of_all_sizes_take_turns),
-            cmocka_unit_test(gl_has_nothing_to_say),
-        };
-        int failed = cmocka_run_group_tests_name(kinds[i].name, tests, NULL, NULL);
-        canvas_destroy(&floats);
-        canvas_destroy(&bytes);
-        canvas_destroy(&srgb);
-        ew_destroy_effect(effect);
-        test_context_make_current(NULL);
-        test_context_destroy(context);
-        return failed;
-    }
-    fprintf(stderr, "usage: target_test CONTEXT\n");
-    return 2;
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(an_srgb_target_is_encoded_once_whatever_the_switch_says),
+        cmocka_unit_test(a_linear_target_keeps_its_values_whatever_the_switch_says),
+        cmocka_unit_test(color_and_alpha_follow_the_documented_rules),
+        cmocka_unit_test(a_layer_laid_over_a_picture_is_as_if_drawn_there),
+        cmocka_unit_test(dither_keeps_the_mean_of_faint_glow),
+        cmocka_unit_test(dither_leaves_pixels_without_light_alone),
+        cmocka_unit_test(targets_of_all_sizes_take_turns),
+        cmocka_unit_test(gl_has_nothing_to_say),
+    };
+    int failed = cmocka_run_group_tests_name(argv[1], tests, NULL, NULL);
+    canvas_destroy(&floats);
+    canvas_destroy(&bytes);
+    canvas_destroy(&srgb);
+    ew_destroy_effect(effect);
+    test_context_make_current(NULL);
+    test_context_destroy(context);
+    return failed;
 }
