@@ -84,6 +84,27 @@ static void a_draw_of_what_was_prepared_compiles_nothing(void **state)
     ew_destroy_effect(effect);
 }
 
+static void the_loader_is_asked_only_while_an_effect_is_created(void **state)
+{
+    (void)state;
+    watched_gl_start(&watched, context);
+    ew_effect *effect = create_effect();
+    int loaded = watched.loaded;
+    assert_true(loaded > 50);
+    field f;
+    picture drawn;
+    unsigned buffer;
+    ew_frame_desc frame = make_frame(target, EW_OUTPUT_ADD);
+    set_field(effect, &f, 1, 0, 0, 0, false);
+    prepare_until_ready(effect, NULL, &frame);
+    draw(effect, &frame, &drawn);
+    frame.depth_source = EW_DEPTH_FRAMEBUFFER; /* which it has not */
+    assert_int_equal(ew_draw(effect, &frame, NULL), EW_ERROR_INVALID_ARGUMENT);
+    assert_int_equal(ew_update_uniform_buffer(effect, &frame, &buffer, NULL), EW_OK);
+    ew_destroy_effect(effect);
+    assert_int_equal(watched.loaded, loaded);
+}
+
 static void preparing_draws_nothing(void **state)
 {
     (void)state;
@@ -274,6 +295,7 @@ int main(int argc, char **argv)
     target = make_target(&renderbuffer);
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_draw_of_what_was_prepared_compiles_nothing),
+        cmocka_unit_test(the_loader_is_asked_only_while_an_effect_is_created),
         cmocka_unit_test(preparing_draws_nothing),
         cmocka_unit_test(a_general_shader_draws_any_sources_and_the_same_light),
         cmocka_unit_test(a_shader_that_lacks_something_is_not_used),

@@ -169,6 +169,7 @@ ew_gl_function watched_gl_get_proc_address(void *user, const char *name)
         {"glGetStringi", (ew_gl_function)get_stringi},
     };
     (void)user;
+    watched->loaded++;
     for (size_t i = 0; i < sizeof replaced / sizeof replaced[0]; i++)
         if (strcmp(name, replaced[i].name) == 0) return replaced[i].function;
     /* An object that is not counted would be lost unseen. */
