@@ -1,0 +1,176 @@
+#!/bin/sh
+# Draws every picture of docs/gallery.md, and writes the page itself, so that each picture stands beside the very command that
+# made it. Needs ffmpeg for the animation.
+# Usage: gallery.sh FOLDER_OF_PROGRAMS; run from the top of the repository.
+set -eu
+programs=$1
+page=docs/gallery.md
+pictures=docs/gallery
+mkdir -p $pictures
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+
+text() {
+    cat >> $page
+    echo >> $page
+}
+
+# picture NAME COMMAND...: runs the command, one of this project's, which writes the picture; and notes it.
+picture() {
+    name=$1
+    shift
+    echo "$name"
+    commands="$commands    $* -o $name.png
+"
+    program=$1
+    shift
+    "$programs/$program" "$@" -o $pictures/"$name".png > /dev/null
+    cells="$cells ![$name](gallery/$name.png) |"
+}
+
+# row HEADING...: begins a row of pictures under these headings.
+row() {
+    commands=
+    cells='|'
+    heads='|'
+    rule='|'
+    for heading; do
+        heads="$heads $heading |"
+        rule="$rule---|"
+    done
+}
+
+end_row() {
+    printf '%s\n%s\n%s\n\n%s\n' "$heads" "$rule" "$cells" "$commands" >> $page
+}
+
+# views NAME: a scene from its three sides.
+views() {
+    scene=$1
+    shift
+    row "$@"
+    for view in "$@"; do
+        picture "$scene-$view" ew-render demo/scenes/"$scene-$view".json --size 256x256
+    done
+    end_row
+}
+
+# banding NAME: a scene by both methods.
+banding() {
+    row 'adaptive (ours)' "Simpson's rule, 64" 128 256
+    for integrator in adaptive simpson:64 simpson:128 simpson:256; do
+        picture "$1-$(echo $integrator | tr -d :)" ew-render demo/scenes/"$1".json --size 240x240 --integrator $integrator
+    done
+    end_row
+}
+
+# pulse_weights FRAME: thesis (5.1) for 7 weights, a JSON list.
+pulse_weights() {
+    awk -v frame="$1" 'BEGIN {
+        pi = atan2(0, -1)
+        for (i = 0; i < 7; i++) {
+            theta = (frame - 7 * i) / 25 * pi
+            weight = theta < 0 || theta > 2 * pi ? 0 : (0.8 - cos(theta)) / 1.5
+            weight = weight < 0 ? 0 : weight > 1 ? 1 : weight
+            list = list (i ? ", " : "") sprintf("%.4g", weight)
+        }
+        print "[" list "]"
+    }'
+}
+
+rm -f $page
+text << 'TEXT'
+# Gallery
+
+Each picture beside the command that made it; `./run gallery` makes all of them, and this page, anew. The programs are
+`build/demo/ew-render` and `build/demo/ew-demo`. Figures are those of Watanabe's thesis; the scenes are ours, after them.
+
+## The court
+
+`./run demo` shows it in a window, through which one can fly; the keys switch between the methods while it runs. The beams change
+their shape in every frame (figure 5.5), and pulses run along them.
+
+![The court: beams charge an orb, which fires](gallery/court.webp)
+
+    ew-demo --offscreen --fps 15 --frames 0-149 --size 480x270 --samples 2 -o court-%03d.png
+TEXT
+
+row 'the picture' 'left: adaptive; right: Simpson, 64 divisions'
+picture court-charging ew-demo --offscreen --frames 148 --size 480x270 --samples 2
+picture court-split ew-demo --offscreen --frames 148 --size 480x270 --samples 2 --split simpson:64
+end_row
+text << 'TEXT'
+Half a second after the shot, as maps: how often the ray of each pixel was evaluated (black 0, pale yellow 4096), and how far
+off its luminance is (black 1e-6 or less, pale yellow 0.1 or more), against Simpson's rule with 16384 divisions.
+TEXT
+row 'evaluations: adaptive, Simpson 256' 'errors: adaptive, Simpson 256'
+picture court-evaluations ew-demo --offscreen --frames 165 --size 240x135 --split simpson:256 --show evaluations
+picture court-error ew-demo --offscreen --frames 165 --size 240x135 --split simpson:256 --show error
+end_row
+
+text << 'TEXT'
+## A torus from three sides (figures 5.1 and 5.2)
+TEXT
+views torus-0.9 front oblique edge
+views torus-3.0 front oblique edge
+
+text << 'TEXT'
+## Two Bezier curves, joined (figures 5.3 and 5.4)
+TEXT
+views beziers-5.0 front oblique side
+views beziers-7.5 front oblique side
+
+text << 'TEXT'
+## Weights along a curve (figure 5.6)
+TEXT
+row 'all of them 1' 'W = [1, 0.2, 0.6, 1, 0.5, 0.8, 1]'
+picture weights-ones ew-render demo/scenes/weights-ones.json --size 256x256
+picture weights-seven ew-render demo/scenes/weights-seven.json --size 256x256
+end_row
+
+text << 'TEXT'
+## A pulse runs along a curve (figure 5.7)
+
+The weights are those of equation (5.1) at the frame above each picture, `ew_fill_pulse_weights` in the library. The scene is
+`weights-seven.json` with these weights in place of its own.
+TEXT
+row 15 25 35 45 55 65
+for frame in 15 25 35 45 55 65; do
+    weights=$(pulse_weights $frame)
+    sed "s/\"weights\": \[[^]]*\]/\"weights\": $weights/" demo/scenes/weights-seven.json > "$scratch/pulse-$frame.json"
+    echo "pulse-$frame"
+    "$programs"/ew-render "$scratch/pulse-$frame.json" --size 160x160 -o $pictures/pulse-$frame.png > /dev/null
+    cells="$cells ![frame $frame](gallery/pulse-$frame.png) |"
+    commands="$commands    $frame: \"weights\": $weights
+"
+done
+commands="$commands
+    ew-render pulse.json --size 160x160 -o pulse.png
+"
+end_row
+
+text << 'TEXT'
+## Few divisions show (figures 5.9 to 5.12)
+
+The papers' rule leaves an unevenness where the divisions are few, which the white of a high coefficient hides; the adaptive
+integrator has none.
+
+Torus, coefficient 8, then 4:
+TEXT
+banding banding-torus-8.0
+banding banding-torus-4.0
+echo 'Curve, coefficient 8, then 4:' | text
+banding banding-curve-8.0
+banding banding-curve-4.0
+
+text << 'TEXT'
+## In use (figure 5.8)
+TEXT
+row 'the showpiece'
+picture showpiece ew-render demo/scenes/showpiece.json --size 640x360
+end_row
+
+echo 'court.webp'
+"$programs"/ew-demo --offscreen --fps 15 --frames 0-149 --size 480x270 --samples 2 -o "$scratch/%03d.png"
+ffmpeg -loglevel error -y -framerate 15 -i "$scratch/%03d.png" -c:v libwebp_anim -quality 60 -compression_level 6 -loop 0 \
+    $pictures/court.webp
