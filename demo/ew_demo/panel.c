@@ -5,7 +5,6 @@
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
-#include <string.h>
 
 /* Columns of text: the font's letters are not all of one width. */
 static const char *const key_columns[] = {
@@ -33,7 +32,8 @@ __attribute__((format(printf, 2, 3))) static void add(text_lines *lines, const c
     va_start(arguments, format);
     int length = vsnprintf(lines->text + lines->length, sizeof lines->text - lines->length, format, arguments);
     va_end(arguments);
-    if (length > 0) lines->length = fmin((double)lines->length + length, (double)sizeof lines->text - 1);
+    if (length > 0) lines->length += (size_t)length;
+    if (lines->length >= sizeof lines->text) lines->length = sizeof lines->text - 1;
 }
 
 static int line_count(const char *text)

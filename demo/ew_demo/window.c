@@ -15,7 +15,6 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 #include <unistd.h>
 
 /* How many pixels of the window a pixel of the map of errors covers: its reference is costly. */
@@ -81,9 +80,8 @@ static const ew_scene *scene_of(const demo_window *window)
 
 /* ---- What the keys do ---------------------------------------------------------------------------------------------------- */
 
-static void toggle_pause(demo_window *window, int mods)
+static void toggle_pause(demo_window *window)
 {
-    (void)mods;
     window->is_paused = !window->is_paused;
 }
 
@@ -95,78 +93,66 @@ static void step(demo_window *window, int frames)
     window->seconds = (round(window->seconds * fps) + frames) / fps;
 }
 
-static void step_forward(demo_window *window, int mods)
+static void step_forward(demo_window *window)
 {
-    (void)mods;
     step(window, 1);
 }
 
-static void step_back(demo_window *window, int mods)
+static void step_back(demo_window *window)
 {
-    (void)mods;
     step(window, -1);
 }
 
-static void go_slower(demo_window *window, int mods)
+static void go_slower(demo_window *window)
 {
-    (void)mods;
     window->time_scale = fmax(window->time_scale / 2, 1.0 / 64);
 }
 
-static void go_faster(demo_window *window, int mods)
+static void go_faster(demo_window *window)
 {
-    (void)mods;
     window->time_scale = fmin(window->time_scale * 2, 8);
 }
 
-static void reset(demo_window *window, int mods)
+static void reset(demo_window *window)
 {
-    (void)mods;
     window->seconds = 0;
     window->time_scale = 1;
     window->camera.is_free = false;
 }
 
-static void release_camera(demo_window *window, int mods)
+static void release_camera(demo_window *window)
 {
-    (void)mods;
     window->camera.is_free = false;
 }
 
-static void toggle_split(demo_window *window, int mods)
+static void toggle_split(demo_window *window)
 {
-    (void)mods;
     window->split = !window->split;
 }
 
-static void next_map(demo_window *window, int mods)
+static void next_map(demo_window *window)
 {
-    (void)mods;
     window->mode = (stage_mode)((window->mode + 1) % 3);
 }
 
-static void toggle_keys(demo_window *window, int mods)
+static void toggle_keys(demo_window *window)
 {
-    (void)mods;
     window->shows_keys = !window->shows_keys;
 }
 
-static void toggle_panel(demo_window *window, int mods)
+static void toggle_panel(demo_window *window)
 {
-    (void)mods;
     window->shows_panel = !window->shows_panel;
 }
 
-static void toggle_vsync(demo_window *window, int mods)
+static void toggle_vsync(demo_window *window)
 {
-    (void)mods;
     window->has_vsync = !window->has_vsync;
     glfwSwapInterval(window->has_vsync);
 }
 
-static void toggle_full_screen(demo_window *window, int mods)
+static void toggle_full_screen(demo_window *window)
 {
-    (void)mods;
     int *place = window->windowed;
     if (glfwGetWindowMonitor(window->handle)) {
         glfwSetWindowMonitor(window->handle, NULL, place[0], place[1], place[2], place[3], GLFW_DONT_CARE);
@@ -183,41 +169,21 @@ static void toggle_full_screen(demo_window *window, int mods)
     glfwSetWindowMonitor(window->handle, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
 }
 
-static void set_integrator(demo_window *window, int mods, render_settings settings)
-{
-    int half = (mods & GLFW_MOD_SHIFT) != 0;
-    window->integrators[half] = settings;
-    if (half) window->split = true;
-}
+/* The keys from 1 on; with Shift, of the right half. */
+static const render_settings integrators[] = {
+    {.integrator = EW_INTEGRATOR_ADAPTIVE, .quality = EW_QUALITY_ERROR_1E_2},
+    {.integrator = EW_INTEGRATOR_ADAPTIVE, .quality = EW_QUALITY_ERROR_1E_3},
+    {.integrator = EW_INTEGRATOR_ADAPTIVE, .quality = EW_QUALITY_ERROR_1E_4},
+    {.integrator = EW_INTEGRATOR_SIMPSON, .simpson_divisions = 64},
+    {.integrator = EW_INTEGRATOR_SIMPSON, .simpson_divisions = 128},
+    {.integrator = EW_INTEGRATOR_SIMPSON, .simpson_divisions = 256},
+};
+enum { INTEGRATOR_COUNT = sizeof integrators / sizeof *integrators };
 
-static void set_adaptive_1e_2(demo_window *window, int mods)
+static void set_integrator(demo_window *window, int number, bool is_right)
 {
-    set_integrator(window, mods, (render_settings){.integrator = EW_INTEGRATOR_ADAPTIVE, .quality = EW_QUALITY_ERROR_1E_2});
-}
-
-static void set_adaptive_1e_3(demo_window *window, int mods)
-{
-    set_integrator(window, mods, (render_settings){.integrator = EW_INTEGRATOR_ADAPTIVE, .quality = EW_QUALITY_ERROR_1E_3});
-}
-
-static void set_adaptive_1e_4(demo_window *window, int mods)
-{
-    set_integrator(window, mods, (render_settings){.integrator = EW_INTEGRATOR_ADAPTIVE, .quality = EW_QUALITY_ERROR_1E_4});
-}
-
-static void set_simpson_64(demo_window *window, int mods)
-{
-    set_integrator(window, mods, (render_settings){.integrator = EW_INTEGRATOR_SIMPSON, .simpson_divisions = 64});
-}
-
-static void set_simpson_128(demo_window *window, int mods)
-{
-    set_integrator(window, mods, (render_settings){.integrator = EW_INTEGRATOR_SIMPSON, .simpson_divisions = 128});
-}
-
-static void set_simpson_256(demo_window *window, int mods)
-{
-    set_integrator(window, mods, (render_settings){.integrator = EW_INTEGRATOR_SIMPSON, .simpson_divisions = 256});
+    window->integrators[is_right] = integrators[number];
+    if (is_right) window->split = true;
 }
 
 /* Writes the picture, without what stands over it, under the first name that is free. */
@@ -241,27 +207,23 @@ static void write_screenshot(demo_window *window)
 }
 
 /* Of the next picture, which all keys before this one have had their effect on. */
-static void take_screenshot(demo_window *window, int mods)
+static void take_screenshot(demo_window *window)
 {
-    (void)mods;
     window->wants_screenshot = true;
 }
 
-static void close_window(demo_window *window, int mods)
+static void close_window(demo_window *window)
 {
-    (void)mods;
     glfwSetWindowShouldClose(window->handle, GLFW_TRUE);
 }
 
 static const struct {
     int key;
-    void (*act)(demo_window *window, int mods);
+    void (*act)(demo_window *window);
 } actions[] = {
     {GLFW_KEY_SPACE, toggle_pause},     {GLFW_KEY_PERIOD, step_forward},     {GLFW_KEY_COMMA, step_back},
     {GLFW_KEY_LEFT_BRACKET, go_slower}, {GLFW_KEY_RIGHT_BRACKET, go_faster}, {GLFW_KEY_R, reset},
-    {GLFW_KEY_C, release_camera},       {GLFW_KEY_1, set_adaptive_1e_2},     {GLFW_KEY_2, set_adaptive_1e_3},
-    {GLFW_KEY_3, set_adaptive_1e_4},    {GLFW_KEY_4, set_simpson_64},        {GLFW_KEY_5, set_simpson_128},
-    {GLFW_KEY_6, set_simpson_256},      {GLFW_KEY_TAB, toggle_split},        {GLFW_KEY_M, next_map},
+    {GLFW_KEY_C, release_camera},       {GLFW_KEY_TAB, toggle_split},        {GLFW_KEY_M, next_map},
     {GLFW_KEY_H, toggle_keys},          {GLFW_KEY_P, toggle_panel},          {GLFW_KEY_V, toggle_vsync},
     {GLFW_KEY_F11, toggle_full_screen}, {GLFW_KEY_F12, take_screenshot},     {GLFW_KEY_ESCAPE, close_window},
 };
@@ -271,9 +233,13 @@ static const struct {
 static void on_key(GLFWwindow *handle, int key, int scancode, int action, int mods)
 {
     (void)scancode;
-    if (action == GLFW_RELEASE) return;
+    demo_window *window = glfwGetWindowUserPointer(handle);
+    /* Held down, only the keys that step go on. */
+    if (action == GLFW_RELEASE || (action == GLFW_REPEAT && key != GLFW_KEY_PERIOD && key != GLFW_KEY_COMMA)) return;
+    if (key >= GLFW_KEY_1 && key < GLFW_KEY_1 + INTEGRATOR_COUNT)
+        set_integrator(window, key - GLFW_KEY_1, (mods & GLFW_MOD_SHIFT) != 0);
     for (size_t i = 0; i < sizeof actions / sizeof *actions; i++)
-        if (actions[i].key == key) actions[i].act(glfwGetWindowUserPointer(handle), mods);
+        if (actions[i].key == key) actions[i].act(window);
 }
 
 static bool is_down(const demo_window *window, int key)
@@ -328,7 +294,7 @@ static void advance(demo_window *window)
     double share = window->frame_milliseconds > 0 ? 0.1 : 1;
     window->frame_milliseconds += share * (1000 * passed - window->frame_milliseconds);
     if (!window->is_paused) window->seconds += passed * window->time_scale;
-    fly(window, fmin(passed, 0.1));
+    fly(window, fmin(passed, 0.25));
     if (window->options->scene && now - window->last_look > look_seconds) {
         window->last_look = now;
         if (scene_watch_look(&window->file) && !window->file.message[0]) notify(window, "the scene is read again");
