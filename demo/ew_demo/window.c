@@ -291,7 +291,7 @@ static void advance(demo_window *window)
 {
     double now = glfwGetTime(), passed = now - window->last_time;
     window->last_time = now;
-    double share = window->frame_milliseconds > 0 ? 0.1 : 1;
+    double share = window->frame_milliseconds > 1 ? 0.1 : 1;
     window->frame_milliseconds += share * (1000 * passed - window->frame_milliseconds);
     if (!window->is_paused) window->seconds += passed * window->time_scale;
     fly(window, fmin(passed, 0.25));

@@ -85,7 +85,7 @@ float joints(vec3 place, vec3 normal)
     vec2 width = fwidth(at);
     vec2 from_joint = abs(fract(at - 0.5) - 0.5);
     vec2 joint = (1.0 - smoothstep(vec2(0.008), vec2(0.014) + width, from_joint)) * clamp(0.03 / width, 0.0, 1.0);
-    return 1.0 - 0.55 * max(joint.x, joint.y) * step(0.9, normal.y);
+    return 1.0 - 0.55 * max(joint.x, joint.y) * step(0.9999, normal.y);
 }
 
 // What the floor mirrors, drawn out upwards as by stone that is polished but not plane.
