@@ -31,6 +31,7 @@ static const char help[] =
     "      --version           print the version\n"
     "\n"
     "A frame depends on nothing but its number, so that many machines can share the work: with Slurm, say,\n"
+    "    mkdir -p frames\n"
     "    sbatch --array=0-9 --wrap='ew-demo --offscreen -o frames/%05d.png \\\n"
     "        --frames $((SLURM_ARRAY_TASK_ID * 30))-$((SLURM_ARRAY_TASK_ID * 30 + 29))'\n"
     "Exit status: 0, or 2 with one line of what to mend on standard error.\n";
