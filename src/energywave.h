@@ -368,8 +368,8 @@ typedef struct ew_frame_desc {
  *         depth_texture is not the kind of texture that depth_source says; ew_draw takes it out of GL's error flag, and with it
  *         what the host may have left there.
  * GL:     the context must be current. The first draw of a new mix of source kinds, integrator, output, depth and dither
- *         compiles a shader, unless ew_prepare did. Leaves all state as it was (see skip_restore); changes only the
- * framebuffer's colour (its first draw buffer). */
+ *         compiles a shader, unless ew_prepare did. Leaves all state as it was (see skip_restore), and changes only the colour
+ *         of the framebuffer's first draw buffer. */
 EW_API ew_result ew_draw(ew_effect *effect, const ew_frame_desc *frame, ew_error *error);
 
 /* ---- Ahead of the draw -------------------------------------------------------------------------------------------------- */
@@ -434,8 +434,10 @@ EW_API ew_result ew_prepare(ew_effect *effect, const ew_mix *mix, const ew_frame
  *             the mix says: just as many of a kind where the mix has an exact number, and no weights where it has none.
  * integrator: of `frame`, the shader takes the quality or the simpson_divisions from the buffer.
  * text:       receives a string that stays the effect's and is valid up to the next call of this function; left alone on
- * failure. Errors:     INVALID_ARGUMENT, OUT_OF_MEMORY. GL:         none is called. The text is good for any context whose
- * uniform blocks are as large. */
+ *             failure.
+ *
+ * Errors: INVALID_ARGUMENT, OUT_OF_MEMORY.
+ * GL:     none is called. The text is good for any context whose uniform blocks are as large. */
 EW_API ew_result ew_get_shader_text(ew_effect *effect, const ew_mix *mix, ew_integrator integrator, const char **text,
                                     ew_error *error);
 
