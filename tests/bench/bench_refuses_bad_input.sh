@@ -21,7 +21,7 @@ for size in 0x1 1x0 1 1x1x1 9000x1 axb ''; do
     refuses '--size' "$scene" --size "$size"
 done
 for list in '' adaptive adaptive:1e-5 simpson:3 simpson:0 simpson:5000 marching marching:0 marching:x newton:3 bare:1 \
-    bare,bare simpson:2,,simpson:4 bare,; do
+    bare,bare simpson:2,,simpson:4 'bare,'; do
     refuses '--integrators' "$scene" --integrators "$list"
 done
 refuses '--repetitions' "$scene" --repetitions 2

@@ -150,12 +150,15 @@ refuses 'nowhere/light\.pfm' scene.json --luminance nowhere/light.pfm --size 16x
 mkdir folder.png
 refuses 'folder\.png' scene.json -o folder.png --size 16x9
 # A file that grows beyond what is allowed stands for a full disk.
+# shellcheck disable=SC3045 # dash has it
 limit=$(ulimit -S -f)
 trap '' XFSZ
+# shellcheck disable=SC3045 # dash has it
 ulimit -S -f 1
 for picture in out/picture.png out/picture.hdr out/picture.pfm; do
     refuses "$picture" scene.json -o $picture --size 160x90
 done
+# shellcheck disable=SC3045 # dash has it
 ulimit -S -f "$limit"
 trap - XFSZ
 

@@ -2,7 +2,6 @@
 # What ew-demo says to bad input: one line that names the option and what to mend, exit status 2, and nothing written.
 # Usage: bad_input.sh EW_DEMO EW_RENDER SCENES VERSION
 ew_demo=$1
-scenes=$3
 failures=0
 rm -rf bad_input && mkdir bad_input && cd bad_input || exit 1
 unset DISPLAY WAYLAND_DISPLAY

@@ -135,7 +135,7 @@ waits 'the window shows the new scene' shows right.png 0
 closes
 
 # No display, and a display whose OpenGL is too old.
-DISPLAY= "$ew_demo" > stdout 2> stderr && complain 'no display is no error'
+DISPLAY='' "$ew_demo" > stdout 2> stderr && complain 'no display is no error'
 grep -q '^ew-demo: no display (.*--offscreen' stderr || complain "without a display it says: $(cat stderr)"
 [ "$(wc -l < stderr)" -eq 1 ] || complain 'without a display it says more than a line'
 MESA_GL_VERSION_OVERRIDE=2.1 "$ew_demo" > stdout 2> stderr && complain 'an old OpenGL is no error'
