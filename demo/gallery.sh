@@ -172,5 +172,6 @@ end_row
 
 echo 'court.webp'
 "$programs"/ew-demo --offscreen --fps 15 --frames 0-149 --size 480x270 --samples 2 -o "$scratch/%03d.png"
-ffmpeg -loglevel error -y -framerate 15 -i "$scratch/%03d.png" -c:v libwebp_anim -quality 60 -compression_level 6 -loop 0 \
+# Not libwebp_anim, which keeps blocks of earlier frames where a glow fades, and takes no less for it.
+ffmpeg -loglevel error -y -framerate 15 -i "$scratch/%03d.png" -c:v libwebp -quality 72 -compression_level 6 -loop 0 \
     $pictures/court.webp
