@@ -57,7 +57,7 @@ do for [half = 1 : 2] {
         width = max(-peak, min(peak, remaining))
         while (abs(remaining) > 1e-9) {
             roughness = abs(sum [i = 1 : 4] difference(is_first, i) * rest(v + width * node(is_first, i))) \
-                + 0.03 * abs(rest(v + width * node(is_first, 1)) - rest(v + width * node(is_first, 2)) \
+                + 0.06 * abs(rest(v + width * node(is_first, 1)) - rest(v + width * node(is_first, 2)) \
                 - rest(v + width * node(is_first, 3)) + rest(v + width * node(is_first, 4)))
             count = count + 4
             if (roughness * abs(width) <= tolerance * reciprocal) {
