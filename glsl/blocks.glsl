@@ -5,41 +5,82 @@
 
 layout(std140) uniform ew_uniforms
 {
-    ew_frame_block ew_frame;
+    ew_frame_block ew_uniform_frame;
     vec4 ew_source_data[EW_SOURCE_DATA_SIZE];
 };
 
+// Where EW_VARYINGS is defined, the fragments get the frame as a flat varying, and the sources too where these are few:
+// EW_SOURCE_VARYINGS is how many vec4 they take. A software rasteriser checks the bounds of every component that a fragment reads
+// from a block, which costs more than a closed form; to a GPU both are constants.
+#ifdef EW_VERTEX_STAGE
+#define EW_VARYING flat out
+#else
+#define EW_VARYING flat in
+#endif
+
+#ifdef EW_VARYINGS
+EW_VARYING ew_frame_block ew_frame;
+#else
+#define ew_frame ew_uniform_frame
+#endif
+
+#ifdef EW_SOURCE_VARYINGS
+EW_VARYING vec4 ew_sources[EW_SOURCE_VARYINGS];
+#endif
+
+#ifndef EW_VERTEX_STAGE
+#define EW_POINT_START 0
 #define EW_LINE_START (EW_POINT_COUNT * EW_POINT_SIZE)
 #define EW_TORUS_START (EW_LINE_START + EW_LINE_COUNT * EW_LINE_SIZE)
 #define EW_CURVE_START (EW_TORUS_START + EW_TORUS_COUNT * EW_TORUS_SIZE)
 #define EW_WEIGHT_START (EW_CURVE_START + EW_CURVE_COUNT * EW_CURVE_SIZE)
 
+// A member of source i of `count`, of which the first has it at `start` and each takes `size` vec4. Where they are varyings, no index
+// depends on i: the loops over sources are too long for compilers to unroll, and rasterisers that keep arrays in memory gather.
+vec4 ew_source(int start, int size, int count, int i)
+{
+#ifdef EW_SOURCE_VARYINGS
+    return count < 2 || i == 0   ? ew_sources[start]
+           : count < 3 || i == 1 ? ew_sources[start + size]
+           : count < 4 || i == 2 ? ew_sources[start + 2 * size]
+                                 : ew_sources[start + 3 * size];
+#else
+    return ew_source_data[start + i * size];
+#endif
+}
+
 ew_point_block ew_point(int i)
 {
-    int at = i * EW_POINT_SIZE;
-    return ew_point_block(ew_source_data[at], ew_source_data[at + 1]);
+    return ew_point_block(ew_source(EW_POINT_START + 0, EW_POINT_SIZE, EW_POINT_COUNT, i),
+                          ew_source(EW_POINT_START + 1, EW_POINT_SIZE, EW_POINT_COUNT, i));
 }
 
 ew_line_block ew_line(int i)
 {
-    int at = EW_LINE_START + i * EW_LINE_SIZE;
-    return ew_line_block(ew_source_data[at], ew_source_data[at + 1], ew_source_data[at + 2]);
+    return ew_line_block(ew_source(EW_LINE_START + 0, EW_LINE_SIZE, EW_LINE_COUNT, i),
+                         ew_source(EW_LINE_START + 1, EW_LINE_SIZE, EW_LINE_COUNT, i),
+                         ew_source(EW_LINE_START + 2, EW_LINE_SIZE, EW_LINE_COUNT, i));
 }
 
 ew_torus_block ew_torus(int i)
 {
-    int at = EW_TORUS_START + i * EW_TORUS_SIZE;
-    return ew_torus_block(ew_source_data[at], ew_source_data[at + 1], ew_source_data[at + 2]);
+    return ew_torus_block(ew_source(EW_TORUS_START + 0, EW_TORUS_SIZE, EW_TORUS_COUNT, i),
+                          ew_source(EW_TORUS_START + 1, EW_TORUS_SIZE, EW_TORUS_COUNT, i),
+                          ew_source(EW_TORUS_START + 2, EW_TORUS_SIZE, EW_TORUS_COUNT, i));
 }
 
 ew_curve_block ew_curve(int i)
 {
-    int at = EW_CURVE_START + i * EW_CURVE_SIZE;
-    return ew_curve_block(ew_source_data[at], ew_source_data[at + 1], ew_source_data[at + 2], ew_source_data[at + 3],
-                          ew_source_data[at + 4], ew_source_data[at + 5]);
+    return ew_curve_block(ew_source(EW_CURVE_START + 0, EW_CURVE_SIZE, EW_CURVE_COUNT, i),
+                          ew_source(EW_CURVE_START + 1, EW_CURVE_SIZE, EW_CURVE_COUNT, i),
+                          ew_source(EW_CURVE_START + 2, EW_CURVE_SIZE, EW_CURVE_COUNT, i),
+                          ew_source(EW_CURVE_START + 3, EW_CURVE_SIZE, EW_CURVE_COUNT, i),
+                          ew_source(EW_CURVE_START + 4, EW_CURVE_SIZE, EW_CURVE_COUNT, i),
+                          ew_source(EW_CURVE_START + 5, EW_CURVE_SIZE, EW_CURVE_COUNT, i));
 }
 
 ew_weight_block ew_weight_piece(int i)
 {
     return ew_weight_block(ew_source_data[EW_WEIGHT_START + i]);
 }
+#endif

@@ -19,28 +19,42 @@ struct ew_arc {
     float quadratic;
     vec2 equation_start;
     vec2 equation_growth;
+    float arm; // 1 or -1: the parabola's arm that is nearest, by the sign of tau; 0: the one on the ray's side of the vertex
 #ifdef EW_WEIGHTS
     vec2 weights; // the first piece and their number
 #endif
 };
 
-// The roots tau at which cubic tau^3 + quadratic tau^2 + linear tau - side constant grows, where a distance has its minima:
-// x is the one of the sign of `side`, y the other, or x again where there is none. cubic, constant >= 0. For quadratic = 0 (a
-// vertex at tau = 0), x is the nearest point of the whole parabola. The start is within 7 % of it then; each step of Halley's
-// method cubes that.
-vec2 ew_distance_minima(float cubic, float quadratic, float linear, float constant, float side)
+// The cube root of x > 0 within 4 %: a float's bits are nearly its logarithm.
+float ew_rough_cube_root(float x)
 {
-    float b = side * quadratic;
-    float third = exp2(log2(max(cubic * constant * constant, 1e-37)) / 3.0);
+    return intBitsToFloat(int(float(floatBitsToInt(x)) * (1.0 / 3.0)) + 709921077);
+}
+
+// A root tau of cubic tau^3 + quadratic tau^2 + linear tau = constant at which the left side grows, so that a distance has its
+// minimum there: the only one for linear >= 0, and the largest for linear < 0. cubic >= 0. For quadratic = 0 (a vertex at
+// tau = 0) the start is within 10 %; each step of Halley's method cubes that.
+float ew_distance_minimum(float cubic, float quadratic, float linear, float constant)
+{
+    float third = ew_rough_cube_root(max(cubic * constant * constant, 1e-37));
     float tau = linear > 0.0 ? constant * inversesqrt(linear * linear + third * third)
-                             : sqrt((third - linear) / max(cubic, 1e-30));
+                             : sqrt(max((constant >= 0.0 ? third : -1.26 * third) - linear, 0.0) / max(cubic, 1e-30));
     for (int i = 0; i < 2; ++i) {
-        float value = ((cubic * tau + b) * tau + linear) * tau - constant;
-        float slope = (3.0 * cubic * tau + 2.0 * b) * tau + linear;
-        float curvature = 3.0 * cubic * tau + b;
+        float value = ((cubic * tau + quadratic) * tau + linear) * tau - constant;
+        float slope = (3.0 * cubic * tau + 2.0 * quadratic) * tau + linear;
+        float curvature = 3.0 * cubic * tau + quadratic;
         // No more than two steps of Newton's method: where the quadratic term is not 0, the start may be anywhere.
         tau -= value * slope / max(slope * slope - value * curvature, 0.5 * slope * slope + 1e-37);
     }
+    return tau;
+}
+
+// Both such roots: x is the one of the sign of `constant`, y the other, or x again where there is none. For quadratic = 0, x is the
+// nearest point of the whole parabola.
+vec2 ew_distance_minima(float cubic, float quadratic, float linear, float constant)
+{
+    float side = constant < 0.0 ? -1.0 : 1.0;
+    float tau = ew_distance_minimum(cubic, side * quadratic, linear, abs(constant));
     float discriminant = -3.0 * cubic * tau * tau - 4.0 * linear;
     float other = discriminant > 0.0 ? -0.5 * (tau + sqrt(discriminant / max(cubic, 1e-30))) : tau;
     return side * vec2(tau, other);
@@ -61,23 +75,21 @@ float ew_arc_weight(ew_arc arc, float tau)
     return 1.0;
 }
 
-// At each s the nearest point is the better of the two minima, clamped to the arc.
+// The nearest point on one arm of the arc.
 float ew_reciprocal_difference(ew_arc arc, ew_passage passage, float s, out float weight_piece)
 {
     vec3 position = arc.start + s * arc.direction;
     vec2 equation = arc.equation_start + s * arc.equation_growth;
-    float side = equation.y < 0.0 ? -1.0 : 1.0;
-    vec2 taus = clamp(ew_distance_minima(arc.cubic, arc.quadratic, equation.x, abs(equation.y), side), arc.first, arc.last);
-    float distance_x = ew_arc_distance_squared(arc, position, taus.x);
-    float distance_y = ew_arc_distance_squared(arc, position, taus.y);
-    float tau = distance_x <= distance_y ? taus.x : taus.y;
+    float arm = arc.arm != 0.0 ? arc.arm : equation.y < 0.0 ? -1.0 : 1.0;
+    float tau = arm * ew_distance_minimum(arc.cubic, arm * arc.quadratic, equation.x, arm * equation.y);
+    tau = clamp(tau, arc.first, arc.last);
     float weight = ew_arc_weight(arc, tau);
 #ifdef EW_WEIGHTS
     weight_piece = tau * arc.weights.y;
 #else
     weight_piece = 0.0;
 #endif
-    return ew_reciprocal_difference(passage, s, min(distance_x, distance_y), weight);
+    return ew_reciprocal_difference(passage, s, ew_arc_distance_squared(arc, position, tau), weight);
 }
 
 // Where start + s growth is 0; behind the ray if nowhere.
@@ -116,7 +128,8 @@ ew_passage ew_passage_at(ew_arc arc, float tau, bool is_end, bool is_far)
         float sine2 = ew_square(arc.slope_x * arc.direction.y - slope_y * arc.direction.x) + slope2 * ew_square(arc.direction.z);
         k = clamp((sine2 + v2 * bending) / max(slope2 + bending, 1e-30), 1e-7 * v2, v2);
     }
-    return ew_passage(is_end || (tau > arc.first && tau < arc.last), ew_length_squared(across), k, s0, ew_arc_weight(arc, tau));
+    bool is_touching = is_end || (tau > arc.first && tau < arc.last);
+    return ew_passage(is_end, is_touching, ew_length_squared(across), k, s0, ew_arc_weight(arc, tau));
 }
 
 // The minima over the whole arc of its distance from the ray: the same equation as for a point, in projection along the ray.
@@ -137,11 +150,65 @@ vec2 ew_closest_approaches(ew_arc arc)
     constant -= shift * (linear + shift * (quadratic + shift * cubic));
     linear += shift * (2.0 * quadratic + shift * 3.0 * cubic);
     quadratic += 3.0 * cubic * shift;
-    float side = constant < 0.0 ? -1.0 : 1.0;
-    return shift + ew_distance_minima(cubic, quadratic, linear, abs(constant), side);
+    return shift + ew_distance_minima(cubic, quadratic, linear, constant);
 }
 
-float ew_integrate_interval(ew_arc shape, ew_passage passage, float from, float to, float probe, float so_far);
+float ew_integrate_rest(ew_arc shape, ew_passage passage, float from, float to, float allowance);
+
+// The nearest point of the arc, seen from the ray at s.
+float ew_nearest_tau(ew_arc arc, float s)
+{
+    vec3 position = arc.start + s * arc.direction;
+    vec2 equation = arc.equation_start + s * arc.equation_growth;
+    vec2 taus = clamp(ew_distance_minima(arc.cubic, arc.quadratic, equation.x, equation.y), arc.first, arc.last);
+    // Where the vertex is far away, so is one of the minima; an end may be nearer than the other.
+    if (arc.quadratic != 0.0 && taus.x == taus.y) taus.y = taus.x <= arc.first ? arc.last : arc.first;
+    // In a plane of symmetry rounding errors would choose.
+    float low = min(taus.x, taus.y);
+    float high = max(taus.x, taus.y);
+    return ew_arc_distance_squared(arc, position, low) < 0.999999 * ew_arc_distance_squared(arc, position, high) ? low : high;
+}
+
+// Where in [from, to] the branch that is nearest just behind `from` ceases to be: `branch` is 0 or 3 for the first or last end, 1
+// or 2 for the parabola's arms of negative or positive tau, 4 for the tip of an arc that is folded back on itself. Nothing but
+// `from` is looked at where the branch `is_known` to last.
+float ew_end_of_branch(ew_arc arc, float from, float to, bool is_known, out int branch)
+{
+    branch = 2;
+    float middle = 0.5 * (from + to);
+    float nudge = 1e-3 * (to - from);
+    float inside = from;
+    float outside = to;
+    for (int i = 0; i < 20; ++i) {
+        // The first place is just inside, the second in the middle, the third at the end: there are few branches. Then bisection.
+        bool is_at_end = i == 2 && inside == middle;
+        float place = i == 0 ? from + nudge : is_at_end ? to - nudge : 0.5 * (inside + outside);
+        float tau = ew_nearest_tau(arc, place);
+        int found = tau <= arc.first ? 0 : tau >= arc.last ? 3 : tau < 0.0 ? 1 : tau > 0.0 || arc.slope_x > 0.0 ? 2 : 4;
+        branch = i == 0 ? found : branch;
+        bool is_same = found == branch;
+        inside = is_same && i > 0 ? place : inside;
+        outside = is_same ? outside : place;
+        if (is_known || (is_at_end && is_same)) break;
+    }
+    return outside;
+}
+
+// The part of the ray's [0, end] on which start + s growth > 0; x >= y where there is none.
+vec2 ew_positive_part(float start, float growth, float end)
+{
+    if (growth == 0.0) return vec2(0.0, start > 0.0 ? end : 0.0);
+    float zero = clamp(-start / growth, 0.0, end);
+    return growth > 0.0 ? vec2(zero, end) : vec2(0.0, zero);
+}
+
+vec2 ew_intersection(vec2 a, vec2 b)
+{
+    return vec2(max(a.x, b.x), min(a.y, b.y));
+}
+
+// More than there are: planes, splits and changes of branches.
+const int EW_MAX_INTERVALS = 16;
 
 float ew_integrate_curve(ew_segment segment, ew_curve_block curve)
 {
@@ -170,56 +237,136 @@ float ew_integrate_curve(ew_segment segment, ew_curve_block curve)
                     ew_length_squared(arc.direction);
 
     // The equation's two sides at the ends of the arc, linear in s: beyond the first end the left is greater, beyond the last
-    // the right. Between these planes and the one in which the nearest point jumps from one arm of the parabola to the other,
-    // or half way between two closest approaches of one arm, the nearest point moves smoothly.
+    // the right. `flatness` is how much the squared distance curves, as a function of tau, where it does so least on the arc: where
+    // that is positive there is one minimum only.
     vec2 ends = vec2(arc.first, arc.last);
     vec2 excess_start = ((arc.cubic * ends + arc.quadratic) * ends + arc.equation_start.x) * ends - arc.equation_start.y;
     vec2 excess_growth = arc.equation_growth.x * ends - arc.equation_growth.y;
-    vec2 planes = vec2(ew_zero(excess_start.x, excess_growth.x), ew_zero(excess_start.y, excess_growth.y));
-    float jump = ew_zero(arc.equation_start.y, arc.equation_growth.y);
-    if (arc.equation_start.x + jump * arc.equation_growth.x >= 0.0)
-        jump = closest.x == closest.y ? -1.0 : 0.5 * (passings.x + passings.y);
-    // Around a sharp bend it slows down abruptly, where the bend's centre of curvature is passed.
-    if (jump < 0.0 && arc.slope_x < 0.1 * arc.bend) jump = ew_zero(arc.equation_start.x, arc.equation_growth.x);
+    bool has_arms = arc.quadratic == 0.0;
+    bool has_vertex = has_arms && arc.first < 0.0 && arc.last > 0.0;
+    // An arc that starts or ends where it folds back on itself stays on that end as long as the left side grows.
+    if (arc.slope_x == 0.0 && has_arms) {
+        if (arc.first == 0.0) {
+            excess_start.x = arc.equation_start.x;
+            excess_growth.x = arc.equation_growth.x;
+        }
+        if (arc.last == 0.0) {
+            excess_start.y = -arc.equation_start.x;
+            excess_growth.y = -arc.equation_growth.x;
+        }
+    }
+    float flattest = clamp(-arc.quadratic / max(3.0 * arc.cubic, 1e-30), arc.first, arc.last);
+    float flatness_start = arc.equation_start.x + (3.0 * arc.cubic * flattest + 2.0 * arc.quadratic) * flattest;
 
+    // The parts of the ray to which an end is nearest. An end may compete with the other arm, where there is more than one minimum:
+    // beyond an end for an arc that has both arms; on the other arm's side for an arc on one arm.
+    vec2 positive_side = ew_positive_part(arc.equation_start.y, arc.equation_growth.y, segment.end);
+    vec2 negative_side = ew_positive_part(-arc.equation_start.y, -arc.equation_growth.y, segment.end);
+    vec2 flat_part = ew_positive_part(-flatness_start, -arc.equation_growth.x, segment.end);
+    vec2 first_cap = ew_positive_part(excess_start.x, excess_growth.x, segment.end);
+    vec2 last_cap = ew_positive_part(-excess_start.y, -excess_growth.y, segment.end);
+    vec2 doubtful_first = flat_part;
+    vec2 doubtful_last = flat_part;
+    if (has_vertex) {
+        first_cap = ew_intersection(first_cap, negative_side);
+        last_cap = ew_intersection(last_cap, positive_side);
+        doubtful_first = ew_intersection(flat_part, first_cap);
+        doubtful_last = ew_intersection(flat_part, last_cap);
+    } else if (has_arms) {
+        doubtful_first = doubtful_last = ew_intersection(flat_part, arc.first >= 0.0 ? negative_side : positive_side);
+    }
+    // The points to which an end is nearest make a convex set: where it is nearest at both ends of a part, it is on all of it.
+    bool is_simple = !(has_vertex && arc.slope_x == 0.0);
+    bool is_first_doubtful = doubtful_first.x < doubtful_first.y;
+    bool is_last_doubtful = doubtful_last.x < doubtful_last.y;
+    int checks = is_first_doubtful && is_last_doubtful ? 4 : is_first_doubtful || is_last_doubtful ? 2 : 0;
+    for (int i = 0; i < checks; ++i) {
+        bool is_of_first = is_first_doubtful && i < 2;
+        vec2 doubtful = is_of_first ? doubtful_first : doubtful_last;
+        float tau = ew_nearest_tau(arc, i % 2 == 0 ? doubtful.x : doubtful.y);
+        is_simple = is_simple && (is_of_first ? tau <= arc.first : tau >= arc.last);
+    }
+    // Both ends of a point are nearest.
+    if (arc.cubic == 0.0 && arc.equation_start.x <= 0.0) first_cap = vec2(0.0, segment.end);
+
+    float from = 0.0;
+    float end = segment.end;
+    if (first_cap.x < first_cap.y) {
+        if (first_cap.x <= 0.0) from = first_cap.y;
+        else if (first_cap.y >= end) end = first_cap.x;
+        else is_simple = false;
+    }
+    if (last_cap.x < last_cap.y) {
+        if (last_cap.x <= 0.0) from = max(from, last_cap.y);
+        else if (last_cap.y >= segment.end) end = min(end, last_cap.x);
+        else is_simple = false;
+    }
+    ew_passage first = ew_passage_at(arc, arc.first, true, false);
+    ew_passage last = ew_passage_at(arc, arc.last, true, false);
+    if (!is_simple) {
+        from = 0.0;
+        end = segment.end;
+        first_cap = last_cap = vec2(0.0);
+    }
+    float sum = first.weight * ew_integrate_line_distance(first.b2, first.k, first.s0, first_cap.x, max(first_cap.x, first_cap.y));
+    sum += last.weight * ew_integrate_line_distance(last.b2, last.k, last.s0, last_cap.x, max(last_cap.x, last_cap.y));
+
+    // Where the nearest point jumps from one arm of the parabola to the other; or half way between two closest approaches.
+    float split = ew_zero(arc.equation_start.y, arc.equation_growth.y);
+    if (arc.equation_start.x + split * arc.equation_growth.x >= 0.0)
+        split = closest.x == closest.y ? -1.0 : 0.5 * (passings.x + passings.y);
+    // Around a sharp bend it slows down abruptly, where the bend's centre of curvature is passed.
+    if (split < 0.0 && arc.slope_x < 0.1 * arc.bend) split = ew_zero(arc.equation_start.x, arc.equation_growth.x);
     // Where one end becomes nearer than the other, if the nearest point is at an end there.
     vec2 ends_y = (arc.slope_y + arc.bend * ends) * ends;
     vec2 chord = vec2(arc.slope_x * (ends.y - ends.x), ends_y.y - ends_y.x);
     vec2 chord_middle = 0.5 * vec2(arc.slope_x * (ends.x + ends.y), ends_y.x + ends_y.y);
     float bisector = ew_zero(dot(chord, arc.start.xy - chord_middle), dot(chord, arc.direction.xy));
-    vec2 bisector_excess = excess_start + bisector * excess_growth;
-    if (bisector_excess.x <= 0.0 || bisector_excess.y >= 0.0) bisector = -1.0;
+    vec2 planes = vec2(ew_zero(excess_start.x, excess_growth.x), ew_zero(excess_start.y, excess_growth.y));
+    // All that is not simple happens near the arc; the search for branches would miss it in a long ray.
+    float extent = 4.0 * (arc.slope_x + abs(arc.slope_y) + 2.0 * arc.bend * max(-arc.first, arc.last));
+    float nearest = dot(vec3(chord_middle, 0.0) - arc.start, arc.direction) / ew_length_squared(arc.direction);
+    vec2 neighbourhood = nearest + vec2(-extent, extent);
+    if (is_simple) {
+        planes = vec2(-1.0);
+        neighbourhood = vec2(-1.0);
+        bisector = -1.0;
+    }
 
-    float sum = 0.0;
-    float from = 0.0;
-    for (int interval = 0; interval < 5; ++interval) {
+    for (int interval = 0; interval < EW_MAX_INTERVALS; ++interval) {
+        if (from >= end) break;
         float margin = from + 1e-6;
-        float to = segment.end;
+        float to = end;
         if (planes.x > margin) to = min(to, planes.x);
         if (planes.y > margin) to = min(to, planes.y);
-        if (jump > margin) to = min(to, jump);
+        if (split > margin) to = min(to, split);
         if (bisector > margin) to = min(to, bisector);
+        if (neighbourhood.x > margin) to = min(to, neighbourhood.x);
+        if (neighbourhood.y > margin) to = min(to, neighbourhood.y);
 
+        if (interval == EW_MAX_INTERVALS - 1) to = end;
+
+        int branch;
+        to = ew_end_of_branch(arc, from, to, is_simple || interval == EW_MAX_INTERVALS - 1, branch);
         float middle = 0.5 * (from + to);
-        float side = arc.equation_start.y + middle * arc.equation_growth.y < 0.0 ? -1.0 : 1.0;
-        vec2 excess = excess_start + middle * excess_growth;
-        // An arc that starts or ends where it folds back on itself stays on its end as long as the equation's left side grows.
-        float growth = arc.equation_start.x + middle * arc.equation_growth.x;
-        if (excess.x == 0.0) excess.x = growth;
-        if (excess.y == 0.0) excess.y = -growth;
-        bool is_first = side > 0.0 ? excess.x > 0.0 && arc.first >= 0.0 && excess.y >= 0.0 : excess.x > 0.0 || arc.first > 0.0;
-        bool is_last = side > 0.0 ? excess.y < 0.0 || arc.last < 0.0 : excess.y < 0.0 && arc.last <= 0.0 && excess.x <= 0.0;
+        arc.arm = is_simple && has_vertex ? 0.0 : branch == 1 ? -1.0 : 1.0;
+        if (!has_vertex) arc.arm = has_arms && arc.last <= 0.0 ? -1.0 : 1.0;
+        bool is_end = !is_simple && branch != 1 && branch != 2;
         // Of the closest approaches, the nearer one of those on this arm.
-        vec2 remoteness = abs(passings - middle) + vec2(closest.x * side < 0.0 ? 1e6 : 0.0, closest.y * side < 0.0 ? 1e6 : 0.0);
-        float tau = is_first ? arc.first : is_last ? arc.last : remoteness.y < remoteness.x ? closest.y : closest.x;
-        bool is_end = is_first || is_last;
+        float side = arc.arm != 0.0 ? arc.arm : arc.equation_start.y + middle * arc.equation_growth.y;
+        bool is_either_arm = !has_arms || arc.equation_start.x + middle * arc.equation_growth.x >= 0.0;
+        vec2 remoteness = abs(passings - middle);
+        if (!is_either_arm) remoteness += vec2(closest.x * side < 0.0 ? 1e6 : 0.0, closest.y * side < 0.0 ? 1e6 : 0.0);
+        float tau = remoteness.y < remoteness.x ? closest.y : closest.x;
+        if (is_end) tau = branch == 0 ? arc.first : branch == 3 ? arc.last : 0.0;
         bool is_far = abs(tau - 0.5 * (arc.first + arc.last)) > 1.0;
-        float probe = -1.0;
-        if (is_end) probe = remoteness.x < remoteness.y ? passings.x : passings.y;
-        if (is_end) probe = probe > from && probe < to ? probe : middle;
-        sum += ew_integrate_interval(arc, ew_passage_at(arc, is_far ? clamp(tau, arc.first, arc.last) : tau, is_end, is_far), from, to, probe, sum);
+        ew_passage passage = ew_passage_at(arc, is_far ? clamp(tau, arc.first, arc.last) : tau, is_end, is_far);
+
+        float reciprocal = ew_integrate_line_distance(passage.b2, passage.k, passage.s0, from, to);
+        float allowance = ew_frame.decay.z * (sum + max(passage.weight, 0.02 * arc.mean_weight) * reciprocal);
+        sum += passage.weight * reciprocal;
+        sum += ew_integrate_rest(arc, passage, from, to, allowance);
         from = to;
-        if (from >= segment.end) break;
     }
     return sum;
 }

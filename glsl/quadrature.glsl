@@ -1,49 +1,43 @@
 // The closed form that everything rests on: the integral of a reciprocal distance whose square is quadratic along the ray.
 
-// F(z) = (atanh(sqrt z) - sqrt z) / z^(3/2) = 1/3 + z/5 + z^2/7 + ..., for z in [0, 0.1]; error 1e-7.
-float ew_atanh_series(float z)
+// F(z) = (atanh(sqrt z) - sqrt z) / z^(3/2) = 1/3 + z/5 + z^2/7 + ..., for w = 1 - z in (0, 1]. At w = 0 it grows like -log(w) / 2;
+// the form, polynomials in w and in w times log w, is that of the usual approximations to complete elliptic integrals. Relative
+// error 3e-7.
+float ew_atanh_remainder(float w)
 {
-    return 1.0 / 3.0 + z * (1.0 / 5.0 + z * (1.0 / 7.0 + z * (1.0 / 9.0 + z * (1.0 / 11.0 + z * (1.0 / 13.0)))));
+    float regular = -0.30684891 + w * (-0.20458833 + w * (0.02000992 + w * (0.56809512 + w * 0.25666545)));
+    float singular = 0.34657341 + w * (0.51913897 + w * (0.60583716 + w * (0.39220929 + w * 0.05375421)));
+    return regular - log2(w) * singular;
 }
 
 // Integral over s in [from, to] of 1 / (sqrt(b2 + k (s - s0)^2) (s + beta)^2).
 //
-// In v = 1 / (s + beta), ds / (s + beta)^2 = -dv and v^2 (b2 + k (s - s0)^2) = c v^2 - 2 g v + k with sigma = s0 + beta,
-// g = k sigma and c = b2 + k sigma^2. With d the root and q = (v_from - v_to) / (v_from d_from + v_to d_to) the integral is
+// In v = 1 / (s + beta), ds / (s + beta)^2 = -dv and v^2 (b2 + k (s - s0)^2) = c v^2 - 2 g v + k with g = k (s0 + beta) and
+// c = b2 + g (s0 + beta). With d the root and q = (to - from) / (depth_to d_from + depth_from d_to), depth = s + beta, the integral
+// is
 //
 //     q (v_from + v_to) + 2 g q^3 F(c q^2),
 //
-// in which nothing cancels while g >= 0. Where the ray passes the source closely, c q^2 nears 1; there atanh is half the
-// logarithm of a quotient, all factors of which are sums of positive numbers. Relative error 1e-6.
+// in which nothing cancels while g >= 0. 1 - c q^2 is cos^2 of half the angle between the directions from the source to both
+// ends, times factors; where the ends lie on different sides of s0 that is a small difference, and so written as the product of
+// sines. Relative error 1e-6.
 float ew_integrate_reciprocal(float b2, float k, float s0, float from, float to)
 {
     float beta = ew_frame.decay.x;
-    float sigma = s0 + beta;
-    float g = k * sigma;
-    float c = b2 + g * sigma;
     float y_from = from - s0;
     float y_to = to - s0;
     float depth_from = from + beta;
     float depth_to = to + beta;
     float d_from = sqrt(b2 + k * y_from * y_from);
     float d_to = sqrt(b2 + k * y_to * y_to);
-    float q = (to - from) / max(depth_to * d_from + depth_from * d_to, 1e-30); // an empty interval may lie at d = 0
-
-    // exp(|u|) up to common factors, where sinh u = (b2 - g y) / ((s + beta) sqrt(b2 k)) is the substitution's variable.
-    float inverse_root_c = inversesqrt(max(c, 1e-30));
-    float root_c = c * inverse_root_c;
-    float e_from = b2 - g * y_from;
-    float e_to = b2 - g * y_to;
-    float a_from = abs(e_from) + d_from * root_c;
-    float a_to = abs(e_to) + d_to * root_c;
-    float numerator = (e_from >= 0.0 ? a_from : depth_from) * (e_to >= 0.0 ? depth_to : a_to);
-    float denominator = (e_from >= 0.0 ? depth_from : a_from) * (e_to >= 0.0 ? a_to : depth_to);
-    if (e_from >= 0.0 && e_to < 0.0) denominator *= b2 * k;
-
-    float z = c * q * q;
-    float third = z < 0.1 ? q * q * q * ew_atanh_series(z)
-                          : (0.5 * log(numerator / denominator) * inverse_root_c - q) * (inverse_root_c * inverse_root_c);
-    return q * (depth_from + depth_to) / (depth_from * depth_to) + 2.0 * g * third;
+    float inverse = 1.0 / max(depth_to * d_from + depth_from * d_to, 1e-30); // an empty interval may lie at d = 0
+    float q = (to - from) * inverse;
+    float product = k * y_from * y_to;
+    float side = d_from * d_to + abs(product);
+    float half_cosine = product >= 0.0 ? side + b2 : b2 * (1.0 + (b2 + k * (y_from * y_from + y_to * y_to)) / side);
+    float depth_product = depth_from * depth_to;
+    float w = clamp(2.0 * depth_product * half_cosine * inverse * inverse, 1e-37, 1.0);
+    return q * ((depth_from + depth_to) / depth_product + 2.0 * k * (s0 + beta) * q * q * ew_atanh_remainder(w));
 }
 
 // Integral over s in [from, to] of 1 / (max(epsilon, sqrt(b2 + k (s - s0)^2)) (s + beta)^2): the core, in which the field is
@@ -57,19 +51,15 @@ float ew_integrate_line_distance(float b2, float k, float s0, float from, float 
     float core_to = clamp(s0 + half_core, from, to);
     if (core_from == core_to) core_from = core_to = to;
     float sum = (core_to - core_from) / (epsilon * (core_from + beta) * (core_to + beta));
-    // A loop and not two calls: most rays have no far side, and SIMD groups of them then skip it.
-    int sides = core_to < to ? 2 : 1;
-    for (int side = 0; side < sides; ++side) {
-        sum += ew_integrate_reciprocal(b2, k, s0, from, core_from);
-        from = core_to;
-        core_from = to;
-    }
+    sum += ew_integrate_reciprocal(b2, k, s0, from, core_from);
+    if (core_to < to) sum += ew_integrate_reciprocal(b2, k, s0, core_to, to);
     return sum;
 }
 
 // Where a ray passes a source closely: the squared distance b2 + k (s - s0)^2 that agrees with the source's there in value, slope
 // and curvature, and the source's weight.
 struct ew_passage {
+    bool is_exact;    // it agrees with the source's everywhere in the interval
     bool is_touching; // it does agree; else it is just another part of the source
     float b2;
     float k;
@@ -84,7 +74,7 @@ const int EW_MAX_PANELS = 400;
 #ifdef EW_WEIGHTS
 const float EW_SECOND_DIFFERENCE = 0.01;
 #else
-const float EW_SECOND_DIFFERENCE = 0.03;
+const float EW_SECOND_DIFFERENCE = 0.06;
 #endif
 // The length of the first panel beside a peak, in half widths of the peak, and how much longer than one panel the next may be.
 const float EW_FIRST_PANEL = 10.0;

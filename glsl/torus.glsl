@@ -3,7 +3,6 @@
 // A circle and a ray: at s, the ray is sqrt(from_axis2 + across2 x^2) away from the circle's axis, x = s - s_axis, and
 // height + climb x above its plane.
 struct ew_ring {
-    float mean_weight; // 1
     float radius;
     float s_axis;
     float from_axis2;
@@ -52,7 +51,7 @@ vec2 ew_ring_closest_approaches(ew_ring ring, out vec2 curvature)
     return x;
 }
 
-float ew_integrate_interval(ew_ring shape, ew_passage passage, float from, float to, float probe, float so_far);
+float ew_integrate_rest(ew_ring shape, ew_passage passage, float from, float to, float allowance);
 
 float ew_integrate_torus(ew_segment segment, ew_torus_block torus)
 {
@@ -60,7 +59,6 @@ float ew_integrate_torus(ew_segment segment, ew_torus_block torus)
     vec3 offset = segment.origin - torus.center.xyz;
     float height = dot(offset, axis);
     ew_ring ring;
-    ring.mean_weight = 1.0;
     ring.radius = torus.axis.w;
     ring.climb = dot(segment.direction, axis);
     vec3 across = segment.direction - ring.climb * axis;
@@ -84,8 +82,10 @@ float ew_integrate_torus(ew_segment segment, ew_torus_block torus)
     bool is_near = s_axis > 0.0;
     for (int half_circle = 0; half_circle < 2; ++half_circle) {
         float passing = is_near ? x_near : x_far;
-        ew_passage passage = ew_passage(true, ew_ring_distance_squared(ring, passing), is_near ? k_near : k_far, ring.s_axis + passing, 1.0);
-        sum += ew_integrate_interval(ring, passage, from, to, -1.0, sum);
+        float distance_squared = ew_ring_distance_squared(ring, passing);
+        ew_passage passage = ew_passage(false, true, distance_squared, is_near ? k_near : k_far, ring.s_axis + passing, 1.0);
+        sum += ew_integrate_line_distance(passage.b2, passage.k, passage.s0, from, to);
+        sum += ew_integrate_rest(ring, passage, from, to, ew_frame.decay.z * sum);
         if (to >= segment.end) break;
         from = to;
         to = segment.end;

@@ -239,8 +239,9 @@ typedef enum ew_integrator {
 
 /* The relative error of B that EW_INTEGRATOR_ADAPTIVE works for, relative to max(B, 1e-3 of the image's largest B). It is
  * estimated, not bounded: with the default, 1E_3, most of the tests' scenes keep 1e-3 everywhere and 1e-4 on 99 % of the
- * pixels, and nearly all keep 1e-2. Arcs folded back sharply on themselves are the exception: single pixels beside them are off
- * by up to 10 %, or by more if the interval is far longer than the arc. Points and lines are exact but for rounding. */
+ * pixels, and all but a few keep 1e-2; those few, arcs folded back sharply on themselves or far behind their centre of
+ * curvature, are off by 2 % in single pixels. With weights that differ much between the arms of a folded arc, dark pixels may
+ * be off further. Points and lines are exact but for rounding. */
 typedef enum ew_quality {
     EW_QUALITY_ERROR_1E_2,
     EW_QUALITY_ERROR_1E_3,

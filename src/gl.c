@@ -184,6 +184,10 @@ ew_result ew_gl_load(ew_gl *gl, ew_gl_function (*get_proc_address)(void *user, c
     gl->parallel_shader_compile =
         has_extension(gl, "GL_KHR_parallel_shader_compile") || has_extension(gl, "GL_ARB_parallel_shader_compile");
     gl->GetIntegerv(GL_MAX_UNIFORM_BLOCK_SIZE, &gl->max_uniform_block_size);
+    GLint outputs = 0, inputs = 0;
+    gl->GetIntegerv(GL_MAX_VERTEX_OUTPUT_COMPONENTS, &outputs);
+    gl->GetIntegerv(GL_MAX_FRAGMENT_INPUT_COMPONENTS, &inputs);
+    gl->max_varying_vectors = (outputs < inputs ? outputs : inputs) / 4 - 1;
     gl->GetIntegerv(GL_MAX_DRAW_BUFFERS, &gl->max_draw_buffers);
     gl->framebuffer_srgb = !gl->es || has_extension(gl, "GL_EXT_sRGB_write_control");
     gl->multisample = !gl->es || has_extension(gl, "GL_EXT_multisample_compatibility");

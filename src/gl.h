@@ -130,6 +130,7 @@ typedef struct ew_gl {
     int version;                  /* 10 * major + minor */
     bool parallel_shader_compile; /* the driver can be asked whether a program is complete */
     GLint max_uniform_block_size;
+    GLint max_varying_vectors; /* between a vertex and a fragment shader, gl_Position not counted */
     GLint max_draw_buffers;
     bool framebuffer_srgb;  /* GL_FRAMEBUFFER_SRGB can be enabled and disabled */
     bool multisample;       /* likewise GL_MULTISAMPLE */

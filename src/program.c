@@ -193,6 +193,30 @@ static void write_defines(char header[MAX_HEADER_LENGTH], size_t capacity, unsig
     }
 }
 
+/* How many vec4 the sources take as varyings; 0 where their number is not known, or too large. */
+static int source_varyings(const ew_gl *gl, unsigned key)
+{
+    static const int sizes[KIND_COUNT] = {EW_POINT_SIZE, EW_LINE_SIZE, EW_TORUS_SIZE, EW_CURVE_SIZE};
+    enum { FRAME_VARYINGS = sizeof(struct ew_frame_block) / sizeof(ew_vec4) };
+    int size = 0;
+    for (int kind = 0; kind < KIND_COUNT; ++kind) {
+        if (count_of(key, kind) > EW_PROGRAM_MAX_UNROLLED) return 0;
+        size += (int)count_of(key, kind) * sizes[kind];
+    }
+    return FRAME_VARYINGS + size <= gl->max_varying_vectors ? size : 0;
+}
+
+/* The defines that both stages of a program share beside write_defines: see glsl/blocks.glsl. The published method, kept as a
+ * baseline, reads its sources from the uniform block, as published. */
+static void write_varying_defines(char header[MAX_HEADER_LENGTH], const ew_gl *gl, unsigned key)
+{
+    int size = source_varyings(gl, key);
+    header[0] = '\0';
+    if (is_simpson(key)) return;
+    int used = snprintf(header, MAX_HEADER_LENGTH, "#define EW_VARYINGS\n");
+    if (size > 0) snprintf(header + used, MAX_HEADER_LENGTH - (size_t)used, "#define EW_SOURCE_VARYINGS %d\n", size);
+}
+
 /* Hands the strings to the compiler. Whether it takes them is not asked here: the answer would have to be waited for. */
 static GLuint compile(const ew_gl *gl, GLenum stage, int count, const char *const *strings)
 {
@@ -203,22 +227,36 @@ static GLuint compile(const ew_gl *gl, GLenum stage, int count, const char *cons
     return shader;
 }
 
-static GLuint compile_vertex_shader(const ew_gl *gl, unsigned key)
+static GLuint compile_vertex_shader(const ew_gl *gl, size_t capacity, unsigned key)
 {
-    const char *strings[] = {version_of(gl, key), "#line 1 0\n", ew_glsl_quad_vert};
-    return compile(gl, GL_VERTEX_SHADER, 3, strings);
+    char defines[MAX_HEADER_LENGTH], varying_defines[MAX_HEADER_LENGTH];
+    write_defines(defines, capacity, key);
+    write_varying_defines(varying_defines, gl, key);
+    const char *strings[] = {version_of(gl, key),
+                             gl->es ? "precision highp float;\nprecision highp int;\n" : "",
+                             defines,
+                             varying_defines,
+                             "#define EW_VERTEX_STAGE\n#line 1 0\n",
+                             ew_glsl_layout_glsl,
+                             "#line 1 1\n",
+                             ew_glsl_blocks_glsl,
+                             "#line 1 2\n",
+                             ew_glsl_quad_vert};
+    return compile(gl, GL_VERTEX_SHADER, sizeof strings / sizeof strings[0], strings);
 }
 
 static GLuint compile_fragment_shader(const ew_gl *gl, size_t capacity, unsigned key)
 {
-    char defines[MAX_HEADER_LENGTH];
+    char defines[MAX_HEADER_LENGTH], varying_defines[MAX_HEADER_LENGTH];
     char lines[FILE_COUNT][24];
-    const char *strings[3 + 2 * FILE_COUNT];
+    const char *strings[4 + 2 * FILE_COUNT];
     int count = 0;
     write_defines(defines, capacity, key);
+    write_varying_defines(varying_defines, gl, key);
     strings[count++] = version_of(gl, key);
     strings[count++] = precision_of(gl, key);
     strings[count++] = defines;
+    strings[count++] = varying_defines;
     for (int i = 0; i < FILE_COUNT; ++i) {
         const shader_file *file = i < LIGHT_FILE_COUNT ? &light_files[i] : &picture_files[i - LIGHT_FILE_COUNT];
         if (!file->is_needed(key)) continue;
@@ -261,7 +299,7 @@ ew_result ew_program_start(const ew_gl *gl, size_t capacity, unsigned key, ew_pr
 {
     ew_program made = {
         .name = gl->CreateProgram(),
-        .vertex_shader = compile_vertex_shader(gl, key),
+        .vertex_shader = compile_vertex_shader(gl, capacity, key),
         .fragment_shader = compile_fragment_shader(gl, capacity, key),
     };
     if (!made.name || !made.vertex_shader || !made.fragment_shader) {

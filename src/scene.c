@@ -484,6 +484,9 @@ static void pack_arc(const double start[3], const double start_tangent[3], const
     if (dot(bend, bend) > 0) {
         vertex = -dot(start_tangent, bend) / (2 * dot(bend, bend));
         at_vertex = fabs(vertex - middle) <= 0.5 + MAX_VERTEX_DISTANCE;
+        /* Two control points that coincide make an arc end at its vertex, up to rounding. */
+        if (fabs(vertex) < 1e-9) vertex = 0;
+        if (fabs(vertex - 1) < 1e-9) vertex = 1;
     }
     double tau = at_vertex ? vertex : middle;
     for (int i = 0; i < 3; ++i) {
@@ -499,7 +502,8 @@ static void pack_arc(const double start[3], const double start_tangent[3], const
         rest[i] = tangent[i] - dot(tangent, axis_y) * axis_y[i];
     double slope_x = sqrt(dot(rest, rest));
     /* Of a tangent along the bend only rounding errors are left, and they have no direction. */
-    if (slope_x <= 1e-12 * sqrt(dot(start_tangent, start_tangent)) || !normalize(rest, axis_x)) {
+    double length = sqrt(dot(start_tangent, start_tangent)) + sqrt(dot(bend, bend));
+    if (slope_x <= 1e-12 * length || !normalize(rest, axis_x)) {
         slope_x = 0;
         perpendicular(axis_y, axis_x);
     }
@@ -661,7 +665,7 @@ static void pack_ray_space(const ray_space *space, struct ew_frame_block *block)
     }
 }
 
-/* How much the three values of a panel may bend, relative to the integral, for the whole to keep the quality's error: measured,
+/* How much the four values of a panel may bend, relative to the integral, for the whole to keep the quality's error: measured,
  * not derived (docs/method.md). */
 static double bend_tolerance(ew_quality quality)
 {
