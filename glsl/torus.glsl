@@ -1,8 +1,12 @@
 // The integral over a segment of 1 / distance to a circle, equation (7).
 
-// A circle and a ray: at s, the ray is sqrt(from_axis2 + across2 x^2) away from the circle's axis, x = s - s_axis, and
-// height + climb x above its plane.
+// A circle and a ray: at s, the ray is |offset + s across| = sqrt(from_axis2 + across2 x^2) away from the circle's axis, x = s - s_axis,
+// and start_height + s climb = height + climb x above its plane. Where the ray runs nearly along the axis, s_axis is far away, and x
+// has few digits.
 struct ew_ring {
+    vec3 offset;
+    vec3 across;
+    float start_height;
     float radius;
     float s_axis;
     float from_axis2;
@@ -11,16 +15,15 @@ struct ew_ring {
     float climb;
 };
 
-float ew_ring_distance_squared(ew_ring ring, float x)
+float ew_ring_distance_squared(ew_ring ring, float s)
 {
-    float from_axis = sqrt(ring.from_axis2 + ring.across2 * x * x);
-    return ew_square(from_axis - ring.radius) + ew_square(ring.height + ring.climb * x);
+    return ew_square(length(ring.offset + s * ring.across) - ring.radius) + ew_square(ring.start_height + s * ring.climb);
 }
 
 float ew_reciprocal_difference(ew_ring ring, ew_passage passage, float s, out float weight_piece)
 {
     weight_piece = 0.0;
-    return ew_reciprocal_difference(passage, s, ew_ring_distance_squared(ring, s - ring.s_axis), 1.0);
+    return ew_reciprocal_difference(passage, s, ew_ring_distance_squared(ring, s), 1.0);
 }
 
 #ifdef EW_WEIGHTS
@@ -64,6 +67,9 @@ float ew_integrate_torus(ew_segment segment, ew_torus_block torus)
     vec3 across = segment.direction - ring.climb * axis;
     ring.across2 = max(ew_length_squared(across), 1e-12);
     offset -= height * axis;
+    ring.offset = offset;
+    ring.across = across;
+    ring.start_height = height;
     ring.s_axis = -dot(offset, across) / ring.across2;
     ring.from_axis2 = ew_length_squared(offset + ring.s_axis * across);
     ring.height = height + ring.s_axis * ring.climb;
@@ -82,7 +88,7 @@ float ew_integrate_torus(ew_segment segment, ew_torus_block torus)
     bool is_near = s_axis > 0.0;
     for (int half_circle = 0; half_circle < 2; ++half_circle) {
         float passing = is_near ? x_near : x_far;
-        float distance_squared = ew_ring_distance_squared(ring, passing);
+        float distance_squared = ew_ring_distance_squared(ring, ring.s_axis + passing);
         ew_passage passage = ew_passage(false, true, distance_squared, is_near ? k_near : k_far, ring.s_axis + passing, 1.0);
         sum += ew_integrate_line_distance(passage.b2, passage.k, passage.s0, from, to);
         sum += ew_integrate_rest(ring, passage, from, to, ew_frame.decay.z * sum);
