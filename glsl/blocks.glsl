@@ -35,8 +35,9 @@ EW_VARYING vec4 ew_sources[EW_SOURCE_VARYINGS];
 #define EW_CURVE_START (EW_TORUS_START + EW_TORUS_COUNT * EW_TORUS_SIZE)
 #define EW_WEIGHT_START (EW_CURVE_START + EW_CURVE_COUNT * EW_CURVE_SIZE)
 
-// A member of source i of `count`, of which the first has it at `start` and each takes `size` vec4. Where they are varyings, no index
-// depends on i: the loops over sources are too long for compilers to unroll, and rasterisers that keep arrays in memory gather.
+// A member of source i of `count`, of which the first has it at `start` and each takes `size` vec4. Where they are varyings, no
+// index depends on i: the loops over sources are too long for compilers to unroll, and rasterisers that keep arrays in memory
+// gather.
 vec4 ew_source(int start, int size, int count, int i)
 {
 #ifdef EW_SOURCE_VARYINGS

@@ -1,8 +1,8 @@
 // The integral over a segment of 1 / distance to a circle, equation (7).
 
-// A circle and a ray: at s, the ray is |offset + s across| = sqrt(from_axis2 + across2 x^2) away from the circle's axis, x = s - s_axis,
-// and start_height + s climb = height + climb x above its plane. Where the ray runs nearly along the axis, s_axis is far away, and x
-// has few digits.
+// A circle and a ray: at s, the ray is |offset + s across| = sqrt(from_axis2 + across2 x^2) away from the circle's axis, where
+// x = s - s_axis, and start_height + s climb = height + climb x above its plane. Where the ray runs nearly along the axis, s_axis
+// is far away, and x has few digits.
 struct ew_ring {
     vec3 offset;
     vec3 across;
