@@ -45,7 +45,8 @@ float ew_integrate_rest(EW_SHAPE shape, ew_passage passage, float from, float to
         is_fine = is_fine && (abs(piece.w - piece.x) <= 1.0 || max(max(size.x, size.y), max(size.z, size.w)) <= 0.1 * allowance);
 #endif
         bool is_last_try = panel > EW_MAX_PANELS - 6;
-        is_fine = is_fine || is_last_try;
+        // Shorter panels than places have digits for would only add up noise.
+        is_fine = is_fine || is_last_try || abs(width) < 1e-6 * v;
         bool is_side_done = is_fine && width == remaining;
         sum += is_fine ? abs(width) * dot(weights, rest) : 0.0;
         if (is_side_done && is_last_side) break;

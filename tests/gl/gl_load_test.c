@@ -40,6 +40,12 @@ static void fake_get_integer(GLenum name, GLint *value)
     case GL_MAX_UNIFORM_BLOCK_SIZE:
         *value = 12345;
         return;
+    case GL_MAX_VERTEX_OUTPUT_COMPONENTS:
+        *value = 128;
+        return;
+    case GL_MAX_FRAGMENT_INPUT_COMPONENTS:
+        *value = 60;
+        return;
     case GL_MAX_CLIP_DISTANCES:
     case GL_MAX_DRAW_BUFFERS:
         *value = 8;
@@ -126,6 +132,7 @@ static void versions_and_profiles_are_told_apart(void **state)
         assert_int_equal(gl.es, cases[i].es);
         assert_int_equal(gl.compatibility, cases[i].compatibility);
         assert_int_equal(gl.max_uniform_block_size, 12345);
+        assert_int_equal(gl.max_varying_vectors, 14); /* the lesser of both, without the position */
         assert_int_equal(gl.max_draw_buffers, 8);
         assert_int_equal(error.code, EW_OK);
     }
