@@ -1,6 +1,6 @@
 /*
  * Writes the text of every class of shader permutation to files, through a GL that only takes the shaders' sources:
- * shader_text FOLDER. Names are PROFILE-KEY.frag and PROFILE.vert.
+ * shader_text FOLDER. Names are PROFILE-KEY.vert and PROFILE-KEY.frag.
  */
 #include "allocator.h"
 #include "program_cache.h"
@@ -11,7 +11,7 @@
 enum { VERTEX_SHADER = 1, FRAGMENT_SHADER = 2 };
 
 static const char *folder;
-static char shader_name[64]; /* of the fragment shader that comes next */
+static char shader_name[64]; /* of the shaders that come next */
 static const char *profile;
 
 static GLuint create_shader(GLenum stage)
@@ -23,10 +23,7 @@ static void shader_source(GLuint shader, GLsizei count, const GLchar *const *str
 {
     (void)lengths;
     char path[4096];
-    if (shader == VERTEX_SHADER)
-        snprintf(path, sizeof path, "%s/%s.vert", folder, profile);
-    else
-        snprintf(path, sizeof path, "%s/%s.frag", folder, shader_name);
+    snprintf(path, sizeof path, "%s/%s.%s", folder, shader_name, shader == VERTEX_SHADER ? "vert" : "frag");
     FILE *file = fopen(path, "w");
     for (GLsizei i = 0; file && i < count; ++i)
         fputs(strings[i], file);
@@ -171,13 +168,16 @@ int main(int argc, char **argv)
         .UniformBlockBinding = ignore_binding,
         .GetUniformLocation = no_uniform,
     };
-    /* The capacities of the smallest uniform blocks that GL allows and of the largest in use; the profiles' least versions. */
+    /* The capacities of the smallest uniform blocks that GL allows and of the largest in use, likewise the varyings: all few
+     * sources fit between the stages, or not even a curve; the profiles' least versions. */
     size_t smallest = ew_scene_capacity(16384), largest = ew_scene_capacity(65536);
     profile = "330";
+    gl.max_varying_vectors = 31;
     write_permutations(&gl, largest);
     write_includes(largest, "#version 330\n");
     profile = "300es";
     gl.es = true;
+    gl.max_varying_vectors = 16;
     write_permutations(&gl, smallest);
     write_includes(smallest, "#version 300 es\n");
     return EXIT_SUCCESS;
