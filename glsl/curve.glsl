@@ -19,7 +19,9 @@ struct ew_arc {
     float quadratic;
     vec2 equation_start;
     vec2 equation_growth;
-    float arm; // 1 or -1: the parabola's arm that is nearest, by the sign of tau; 0: the one on the ray's side of the vertex
+    bool has_arms;   // the parabola's two arms are apart at tau = 0; else its vertex is far away
+    bool has_vertex; // which the arc has both of
+    float arm;       // 1 or -1: the parabola's arm that is nearest, by the sign of tau; 0: the one on the ray's side of the vertex
 #ifdef EW_WEIGHTS
     vec2 weights; // the first piece and their number
 #endif
@@ -162,19 +164,33 @@ float ew_nearest_tau(ew_arc arc, float s)
     vec2 equation = arc.equation_start + s * arc.equation_growth;
     vec2 taus = clamp(ew_distance_minima(arc.cubic, arc.quadratic, equation.x, equation.y), arc.first, arc.last);
     // Where the vertex is far away, so is one of the minima; an end may be nearer than the other.
-    if (arc.quadratic != 0.0 && taus.x == taus.y) taus.y = taus.x <= arc.first ? arc.last : arc.first;
+    if (!arc.has_arms && taus.x == taus.y) taus.y = taus.x <= arc.first ? arc.last : arc.first;
     // In a plane of symmetry rounding errors would choose.
     float low = min(taus.x, taus.y);
     float high = max(taus.x, taus.y);
     return ew_arc_distance_squared(arc, position, low) < 0.999999 * ew_arc_distance_squared(arc, position, high) ? low : high;
 }
 
-// Where in [from, to] the branch that is nearest just behind `from` ceases to be: `branch` is 0 or 3 for the first or last end, 1
-// or 2 for the parabola's arms of negative or positive tau, 4 for the tip of an arc that is folded back on itself. Nothing but
-// `from` is looked at where the branch `is_known` to last.
+// What of an arc is nearest: an end, the part on one of the parabola's arms, or the tip of an arc that is folded back on itself.
+const int EW_FIRST_END = 0;
+const int EW_NEGATIVE_ARM = 1;
+const int EW_POSITIVE_ARM = 2;
+const int EW_LAST_END = 3;
+const int EW_FOLD = 4;
+
+int ew_branch_of(ew_arc arc, float tau)
+{
+    if (tau <= arc.first) return EW_FIRST_END;
+    if (tau >= arc.last) return EW_LAST_END;
+    if (tau < 0.0) return EW_NEGATIVE_ARM;
+    return tau > 0.0 || arc.slope_x > 0.0 ? EW_POSITIVE_ARM : EW_FOLD;
+}
+
+// Where in [from, to] the branch that is nearest just behind `from` ceases to be. Nothing but `from` is looked at where the branch
+// `is_known` to last.
 float ew_end_of_branch(ew_arc arc, float from, float to, bool is_known, out int branch)
 {
-    branch = 2;
+    branch = EW_POSITIVE_ARM;
     float middle = 0.5 * (from + to);
     float nudge = 1e-3 * (to - from);
     float inside = from;
@@ -183,8 +199,7 @@ float ew_end_of_branch(ew_arc arc, float from, float to, bool is_known, out int 
         // The first place is just inside, the second in the middle, the third at the end: there are few branches. Then bisection.
         bool is_at_end = i == 2 && inside == middle;
         float place = i == 0 ? from + nudge : is_at_end ? to - nudge : 0.5 * (inside + outside);
-        float tau = ew_nearest_tau(arc, place);
-        int found = tau <= arc.first ? 0 : tau >= arc.last ? 3 : tau < 0.0 ? 1 : tau > 0.0 || arc.slope_x > 0.0 ? 2 : 4;
+        int found = ew_branch_of(arc, ew_nearest_tau(arc, place));
         branch = i == 0 ? found : branch;
         bool is_same = found == branch;
         inside = is_same && i > 0 ? place : inside;
@@ -207,10 +222,184 @@ vec2 ew_intersection(vec2 a, vec2 b)
     return vec2(max(a.x, b.x), min(a.y, b.y));
 }
 
-// More than there are: planes, splits and changes of branches.
-const int EW_MAX_INTERVALS = 16;
+bool ew_is_empty(vec2 part)
+{
+    return part.x >= part.y;
+}
 
-float ew_integrate_curve(ew_segment segment, ew_curve_block curve)
+// By how much the left side of equation (12) exceeds the right at the first (x) and last end (y): excess_start + s excess_growth.
+// Beyond the first end it is positive, beyond the last negative.
+struct ew_end_excess {
+    vec2 start;
+    vec2 growth;
+};
+
+ew_end_excess ew_excess_at_ends(ew_arc arc)
+{
+    vec2 ends = vec2(arc.first, arc.last);
+    ew_end_excess excess;
+    excess.start = ((arc.cubic * ends + arc.quadratic) * ends + arc.equation_start.x) * ends - arc.equation_start.y;
+    excess.growth = arc.equation_growth.x * ends - arc.equation_growth.y;
+    // An arc that starts or ends where it folds back on itself stays on that end as long as the left side grows.
+    bool is_folded = arc.has_arms && arc.slope_x == 0.0;
+    if (is_folded && arc.first == 0.0) {
+        excess.start.x = arc.equation_start.x;
+        excess.growth.x = arc.equation_growth.x;
+    }
+    if (is_folded && arc.last == 0.0) {
+        excess.start.y = -arc.equation_start.x;
+        excess.growth.y = -arc.equation_growth.x;
+    }
+    return excess;
+}
+
+// The parts of the ray to which the ends of the arc are nearest, and the one between, to which what lies between them is.
+struct ew_end_parts {
+    bool are_settled; // else all of the ray is `between`, and the ends are to be found there
+    vec2 first;
+    vec2 last;
+    vec2 between;
+};
+
+ew_end_parts ew_find_end_parts(ew_arc arc, ew_end_excess excess, float end)
+{
+    ew_end_parts parts;
+    parts.first = ew_positive_part(excess.start.x, excess.growth.x, end);
+    parts.last = ew_positive_part(-excess.start.y, -excess.growth.y, end);
+
+    // Where the squared distance is not convex on all of the arc, as a function of tau, an end may compete with the other arm:
+    // beyond an end for an arc that has both arms; on the other arm's side for an arc on one arm.
+    float flattest = clamp(-arc.quadratic / max(3.0 * arc.cubic, 1e-30), arc.first, arc.last);
+    float curvature = arc.equation_start.x + (3.0 * arc.cubic * flattest + 2.0 * arc.quadratic) * flattest;
+    vec2 doubtful = ew_positive_part(-curvature, -arc.equation_growth.x, end);
+    vec2 positive_side = ew_positive_part(arc.equation_start.y, arc.equation_growth.y, end);
+    vec2 negative_side = ew_positive_part(-arc.equation_start.y, -arc.equation_growth.y, end);
+    vec2 doubtful_first = doubtful;
+    vec2 doubtful_last = doubtful;
+    if (arc.has_vertex) {
+        parts.first = ew_intersection(parts.first, negative_side);
+        parts.last = ew_intersection(parts.last, positive_side);
+        doubtful_first = ew_intersection(doubtful, parts.first);
+        doubtful_last = ew_intersection(doubtful, parts.last);
+    } else if (arc.has_arms) {
+        doubtful_first = doubtful_last = ew_intersection(doubtful, arc.first >= 0.0 ? negative_side : positive_side);
+    }
+
+    // The points to which an end is nearest make a convex set: where it is nearest at both ends of a part, it is on all of it.
+    parts.are_settled = !(arc.has_vertex && arc.slope_x == 0.0);
+    bool is_first_doubtful = !ew_is_empty(doubtful_first);
+    bool is_last_doubtful = !ew_is_empty(doubtful_last);
+    int checks = is_first_doubtful && is_last_doubtful ? 4 : is_first_doubtful || is_last_doubtful ? 2 : 0;
+    for (int i = 0; i < checks; ++i) {
+        bool is_of_first = is_first_doubtful && i < 2;
+        vec2 part = is_of_first ? doubtful_first : doubtful_last;
+        int branch = ew_branch_of(arc, ew_nearest_tau(arc, i % 2 == 0 ? part.x : part.y));
+        parts.are_settled = parts.are_settled && branch == (is_of_first ? EW_FIRST_END : EW_LAST_END);
+    }
+
+    // Both ends of a point are nearest.
+    if (arc.cubic == 0.0 && arc.equation_start.x <= 0.0) parts.first = vec2(0.0, end);
+    parts.between = vec2(0.0, end);
+    if (!ew_is_empty(parts.first)) {
+        if (parts.first.x <= 0.0) parts.between.x = parts.first.y;
+        else if (parts.first.y >= end) parts.between.y = parts.first.x;
+        else parts.are_settled = false;
+    }
+    if (!ew_is_empty(parts.last)) {
+        if (parts.last.x <= 0.0) parts.between.x = max(parts.between.x, parts.last.y);
+        else if (parts.last.y >= end) parts.between.y = min(parts.between.y, parts.last.x);
+        else parts.are_settled = false;
+    }
+    if (!parts.are_settled) {
+        parts.first = parts.last = vec2(0.0);
+        parts.between = vec2(0.0, end);
+    }
+    return parts;
+}
+
+// The integral over a part of the ray to which the point of the arc at `tau`, an end, is nearest.
+float ew_integrate_end(ew_arc arc, float tau, vec2 part)
+{
+    ew_passage passage = ew_passage_at(arc, tau, true, false);
+    return passage.weight * ew_integrate_line_distance(passage.b2, passage.k, passage.s0, part.x, max(part.x, part.y));
+}
+
+// Where a ray passes the arc, or its extension: the two closest approaches, which may be one.
+struct ew_approaches {
+    vec2 tau;
+    vec2 s;
+};
+
+ew_approaches ew_find_approaches(ew_arc arc)
+{
+    vec2 tau = ew_closest_approaches(arc);
+    vec2 y = (arc.slope_y + arc.bend * tau) * tau;
+    vec2 along = arc.slope_x * tau * arc.direction.x + y * arc.direction.y - dot(arc.start, arc.direction);
+    return ew_approaches(tau, along / ew_length_squared(arc.direction));
+}
+
+// Where the ray is to be divided, so that the nearest point moves smoothly in between; behind the ray if nowhere.
+struct ew_divisions {
+    float split;
+    vec2 planes;
+    float bisector;
+    vec2 neighbourhood;
+};
+
+ew_divisions ew_find_divisions(ew_arc arc, ew_end_excess excess, ew_approaches approaches, bool are_ends_settled)
+{
+    ew_divisions divisions = ew_divisions(-1.0, vec2(-1.0), -1.0, vec2(-1.0));
+    // Where the nearest point jumps from one arm of the parabola to the other; or half way between two closest approaches.
+    divisions.split = ew_zero(arc.equation_start.y, arc.equation_growth.y);
+    if (arc.equation_start.x + divisions.split * arc.equation_growth.x >= 0.0)
+        divisions.split = approaches.tau.x == approaches.tau.y ? -1.0 : 0.5 * (approaches.s.x + approaches.s.y);
+    // Around a sharp bend it slows down abruptly, where the bend's centre of curvature is passed.
+    if (divisions.split < 0.0 && arc.slope_x < 0.1 * arc.bend)
+        divisions.split = ew_zero(arc.equation_start.x, arc.equation_growth.x);
+    if (are_ends_settled) return divisions;
+
+    divisions.planes = vec2(ew_zero(excess.start.x, excess.growth.x), ew_zero(excess.start.y, excess.growth.y));
+    // Where one end becomes nearer than the other, if the nearest point is at an end there.
+    vec2 ends = vec2(arc.first, arc.last);
+    vec2 ends_y = (arc.slope_y + arc.bend * ends) * ends;
+    vec2 chord = vec2(arc.slope_x * (ends.y - ends.x), ends_y.y - ends_y.x);
+    vec2 chord_middle = 0.5 * vec2(arc.slope_x * (ends.x + ends.y), ends_y.x + ends_y.y);
+    divisions.bisector = ew_zero(dot(chord, arc.start.xy - chord_middle), dot(chord, arc.direction.xy));
+    // All of this happens near the arc; the search for branches would miss it in a long ray.
+    float extent = 4.0 * (arc.slope_x + abs(arc.slope_y) + 2.0 * arc.bend * max(-arc.first, arc.last));
+    float nearest = dot(vec3(chord_middle, 0.0) - arc.start, arc.direction) / ew_length_squared(arc.direction);
+    divisions.neighbourhood = nearest + vec2(-extent, extent);
+    return divisions;
+}
+
+float ew_next_division(ew_divisions divisions, float from, float end)
+{
+    float margin = from + 1e-6;
+    float to = end;
+    if (divisions.split > margin) to = min(to, divisions.split);
+    if (divisions.planes.x > margin) to = min(to, divisions.planes.x);
+    if (divisions.planes.y > margin) to = min(to, divisions.planes.y);
+    if (divisions.bisector > margin) to = min(to, divisions.bisector);
+    if (divisions.neighbourhood.x > margin) to = min(to, divisions.neighbourhood.x);
+    if (divisions.neighbourhood.y > margin) to = min(to, divisions.neighbourhood.y);
+    return to;
+}
+
+// The passage for an interval around `middle` on which `arc.arm` is nearest: that by the nearer one of its closest approaches.
+ew_passage ew_passage_of_arm(ew_arc arc, ew_approaches approaches, float middle)
+{
+    vec2 equation = arc.equation_start + middle * arc.equation_growth;
+    float side = arc.arm != 0.0 ? arc.arm : equation.y;
+    bool is_either_arm = !arc.has_arms || equation.x >= 0.0;
+    vec2 remoteness = abs(approaches.s - middle);
+    if (!is_either_arm && approaches.tau.x * side < 0.0) remoteness.x += 1e6;
+    if (!is_either_arm && approaches.tau.y * side < 0.0) remoteness.y += 1e6;
+    float tau = remoteness.y < remoteness.x ? approaches.tau.y : approaches.tau.x;
+    bool is_far = abs(tau - 0.5 * (arc.first + arc.last)) > 1.0;
+    return ew_passage_at(arc, is_far ? clamp(tau, arc.first, arc.last) : tau, false, is_far);
+}
+
+ew_arc ew_make_arc(ew_segment segment, ew_curve_block curve)
 {
     mat3 frame = mat3(curve.axis_x.xyz, curve.axis_y.xyz, curve.axis_z.xyz);
     ew_arc arc;
@@ -227,141 +416,42 @@ float ew_integrate_curve(ew_segment segment, ew_curve_block curve)
     arc.equation_start = vec2(arc.slope_x * arc.slope_x + arc.slope_y * arc.slope_y - 2.0 * arc.bend * arc.start.y,
                               arc.slope_x * arc.start.x + arc.slope_y * arc.start.y);
     arc.equation_growth = vec2(-2.0 * arc.bend * arc.direction.y, arc.slope_x * arc.direction.x + arc.slope_y * arc.direction.y);
+    arc.has_arms = arc.quadratic == 0.0;
+    arc.has_vertex = arc.has_arms && arc.first < 0.0 && arc.last > 0.0;
+    arc.arm = arc.has_arms && arc.last <= 0.0 ? -1.0 : 1.0;
 #ifdef EW_WEIGHTS
     arc.weights = curve.domain.zw;
 #endif
+    return arc;
+}
 
-    vec2 closest = ew_closest_approaches(arc);
-    vec2 closest_y = (arc.slope_y + arc.bend * closest) * closest;
-    vec2 passings = (arc.slope_x * closest * arc.direction.x + closest_y * arc.direction.y - dot(arc.start, arc.direction)) /
-                    ew_length_squared(arc.direction);
+// The most intervals of a ray, the last of which takes all that is left.
+const int EW_MAX_INTERVALS = 16;
 
-    // The equation's two sides at the ends of the arc, linear in s: beyond the first end the left is greater, beyond the last
-    // the right. `flatness` is how much the squared distance curves, as a function of tau, where it does so least on the arc: where
-    // that is positive there is one minimum only.
-    vec2 ends = vec2(arc.first, arc.last);
-    vec2 excess_start = ((arc.cubic * ends + arc.quadratic) * ends + arc.equation_start.x) * ends - arc.equation_start.y;
-    vec2 excess_growth = arc.equation_growth.x * ends - arc.equation_growth.y;
-    bool has_arms = arc.quadratic == 0.0;
-    bool has_vertex = has_arms && arc.first < 0.0 && arc.last > 0.0;
-    // An arc that starts or ends where it folds back on itself stays on that end as long as the left side grows.
-    if (arc.slope_x == 0.0 && has_arms) {
-        if (arc.first == 0.0) {
-            excess_start.x = arc.equation_start.x;
-            excess_growth.x = arc.equation_growth.x;
-        }
-        if (arc.last == 0.0) {
-            excess_start.y = -arc.equation_start.x;
-            excess_growth.y = -arc.equation_growth.x;
-        }
-    }
-    float flattest = clamp(-arc.quadratic / max(3.0 * arc.cubic, 1e-30), arc.first, arc.last);
-    float flatness_start = arc.equation_start.x + (3.0 * arc.cubic * flattest + 2.0 * arc.quadratic) * flattest;
+float ew_integrate_curve(ew_segment segment, ew_curve_block curve)
+{
+    ew_arc arc = ew_make_arc(segment, curve);
+    ew_end_excess excess = ew_excess_at_ends(arc);
+    ew_end_parts parts = ew_find_end_parts(arc, excess, segment.end);
+    float sum = ew_integrate_end(arc, arc.first, parts.first) + ew_integrate_end(arc, arc.last, parts.last);
 
-    // The parts of the ray to which an end is nearest. An end may compete with the other arm, where there is more than one minimum:
-    // beyond an end for an arc that has both arms; on the other arm's side for an arc on one arm.
-    vec2 positive_side = ew_positive_part(arc.equation_start.y, arc.equation_growth.y, segment.end);
-    vec2 negative_side = ew_positive_part(-arc.equation_start.y, -arc.equation_growth.y, segment.end);
-    vec2 flat_part = ew_positive_part(-flatness_start, -arc.equation_growth.x, segment.end);
-    vec2 first_cap = ew_positive_part(excess_start.x, excess_growth.x, segment.end);
-    vec2 last_cap = ew_positive_part(-excess_start.y, -excess_growth.y, segment.end);
-    vec2 doubtful_first = flat_part;
-    vec2 doubtful_last = flat_part;
-    if (has_vertex) {
-        first_cap = ew_intersection(first_cap, negative_side);
-        last_cap = ew_intersection(last_cap, positive_side);
-        doubtful_first = ew_intersection(flat_part, first_cap);
-        doubtful_last = ew_intersection(flat_part, last_cap);
-    } else if (has_arms) {
-        doubtful_first = doubtful_last = ew_intersection(flat_part, arc.first >= 0.0 ? negative_side : positive_side);
-    }
-    // The points to which an end is nearest make a convex set: where it is nearest at both ends of a part, it is on all of it.
-    bool is_simple = !(has_vertex && arc.slope_x == 0.0);
-    bool is_first_doubtful = doubtful_first.x < doubtful_first.y;
-    bool is_last_doubtful = doubtful_last.x < doubtful_last.y;
-    int checks = is_first_doubtful && is_last_doubtful ? 4 : is_first_doubtful || is_last_doubtful ? 2 : 0;
-    for (int i = 0; i < checks; ++i) {
-        bool is_of_first = is_first_doubtful && i < 2;
-        vec2 doubtful = is_of_first ? doubtful_first : doubtful_last;
-        float tau = ew_nearest_tau(arc, i % 2 == 0 ? doubtful.x : doubtful.y);
-        is_simple = is_simple && (is_of_first ? tau <= arc.first : tau >= arc.last);
-    }
-    // Both ends of a point are nearest.
-    if (arc.cubic == 0.0 && arc.equation_start.x <= 0.0) first_cap = vec2(0.0, segment.end);
-
-    float from = 0.0;
-    float end = segment.end;
-    if (first_cap.x < first_cap.y) {
-        if (first_cap.x <= 0.0) from = first_cap.y;
-        else if (first_cap.y >= end) end = first_cap.x;
-        else is_simple = false;
-    }
-    if (last_cap.x < last_cap.y) {
-        if (last_cap.x <= 0.0) from = max(from, last_cap.y);
-        else if (last_cap.y >= segment.end) end = min(end, last_cap.x);
-        else is_simple = false;
-    }
-    ew_passage first = ew_passage_at(arc, arc.first, true, false);
-    ew_passage last = ew_passage_at(arc, arc.last, true, false);
-    if (!is_simple) {
-        from = 0.0;
-        end = segment.end;
-        first_cap = last_cap = vec2(0.0);
-    }
-    float sum = first.weight * ew_integrate_line_distance(first.b2, first.k, first.s0, first_cap.x, max(first_cap.x, first_cap.y));
-    sum += last.weight * ew_integrate_line_distance(last.b2, last.k, last.s0, last_cap.x, max(last_cap.x, last_cap.y));
-
-    // Where the nearest point jumps from one arm of the parabola to the other; or half way between two closest approaches.
-    float split = ew_zero(arc.equation_start.y, arc.equation_growth.y);
-    if (arc.equation_start.x + split * arc.equation_growth.x >= 0.0)
-        split = closest.x == closest.y ? -1.0 : 0.5 * (passings.x + passings.y);
-    // Around a sharp bend it slows down abruptly, where the bend's centre of curvature is passed.
-    if (split < 0.0 && arc.slope_x < 0.1 * arc.bend) split = ew_zero(arc.equation_start.x, arc.equation_growth.x);
-    // Where one end becomes nearer than the other, if the nearest point is at an end there.
-    vec2 ends_y = (arc.slope_y + arc.bend * ends) * ends;
-    vec2 chord = vec2(arc.slope_x * (ends.y - ends.x), ends_y.y - ends_y.x);
-    vec2 chord_middle = 0.5 * vec2(arc.slope_x * (ends.x + ends.y), ends_y.x + ends_y.y);
-    float bisector = ew_zero(dot(chord, arc.start.xy - chord_middle), dot(chord, arc.direction.xy));
-    vec2 planes = vec2(ew_zero(excess_start.x, excess_growth.x), ew_zero(excess_start.y, excess_growth.y));
-    // All that is not simple happens near the arc; the search for branches would miss it in a long ray.
-    float extent = 4.0 * (arc.slope_x + abs(arc.slope_y) + 2.0 * arc.bend * max(-arc.first, arc.last));
-    float nearest = dot(vec3(chord_middle, 0.0) - arc.start, arc.direction) / ew_length_squared(arc.direction);
-    vec2 neighbourhood = nearest + vec2(-extent, extent);
-    if (is_simple) {
-        planes = vec2(-1.0);
-        neighbourhood = vec2(-1.0);
-        bisector = -1.0;
-    }
-
+    ew_approaches approaches = ew_find_approaches(arc);
+    ew_divisions divisions = ew_find_divisions(arc, excess, approaches, parts.are_settled);
+    float from = parts.between.x;
+    float end = parts.between.y;
     for (int interval = 0; interval < EW_MAX_INTERVALS; ++interval) {
         if (from >= end) break;
-        float margin = from + 1e-6;
-        float to = end;
-        if (planes.x > margin) to = min(to, planes.x);
-        if (planes.y > margin) to = min(to, planes.y);
-        if (split > margin) to = min(to, split);
-        if (bisector > margin) to = min(to, bisector);
-        if (neighbourhood.x > margin) to = min(to, neighbourhood.x);
-        if (neighbourhood.y > margin) to = min(to, neighbourhood.y);
-
-        if (interval == EW_MAX_INTERVALS - 1) to = end;
-
+        bool is_last = interval == EW_MAX_INTERVALS - 1;
+        float to = is_last ? end : ew_next_division(divisions, from, end);
         int branch;
-        to = ew_end_of_branch(arc, from, to, is_simple || interval == EW_MAX_INTERVALS - 1, branch);
-        float middle = 0.5 * (from + to);
-        arc.arm = is_simple && has_vertex ? 0.0 : branch == 1 ? -1.0 : 1.0;
-        if (!has_vertex) arc.arm = has_arms && arc.last <= 0.0 ? -1.0 : 1.0;
-        bool is_end = !is_simple && branch != 1 && branch != 2;
-        // Of the closest approaches, the nearer one of those on this arm.
-        float side = arc.arm != 0.0 ? arc.arm : arc.equation_start.y + middle * arc.equation_growth.y;
-        bool is_either_arm = !has_arms || arc.equation_start.x + middle * arc.equation_growth.x >= 0.0;
-        vec2 remoteness = abs(passings - middle);
-        if (!is_either_arm) remoteness += vec2(closest.x * side < 0.0 ? 1e6 : 0.0, closest.y * side < 0.0 ? 1e6 : 0.0);
-        float tau = remoteness.y < remoteness.x ? closest.y : closest.x;
-        if (is_end) tau = branch == 0 ? arc.first : branch == 3 ? arc.last : 0.0;
-        bool is_far = abs(tau - 0.5 * (arc.first + arc.last)) > 1.0;
-        ew_passage passage = ew_passage_at(arc, is_far ? clamp(tau, arc.first, arc.last) : tau, is_end, is_far);
+        to = ew_end_of_branch(arc, from, to, parts.are_settled || is_last, branch);
+        if (arc.has_vertex) arc.arm = parts.are_settled ? 0.0 : branch == EW_NEGATIVE_ARM ? -1.0 : 1.0;
 
+        ew_passage passage = ew_passage_of_arm(arc, approaches, 0.5 * (from + to));
+        if (!parts.are_settled && branch != EW_NEGATIVE_ARM && branch != EW_POSITIVE_ARM) {
+            float tau = branch == EW_FIRST_END ? arc.first : branch == EW_LAST_END ? arc.last : 0.0;
+            passage = ew_passage_at(arc, tau, true, false);
+        }
         float reciprocal = ew_integrate_line_distance(passage.b2, passage.k, passage.s0, from, to);
         float allowance = ew_frame.decay.z * (sum + max(passage.weight, 0.02 * arc.mean_weight) * reciprocal);
         sum += passage.weight * reciprocal;
