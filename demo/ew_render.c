@@ -1,10 +1,10 @@
 /*
  * ew-render: a scene file becomes a picture.
  */
+#include "command_line.h"
 #include "context.h"
 #include "image.h"
 #include "message.h"
-#include "option_values.h"
 #include "render.h"
 #include "scene_file.h"
 
@@ -83,7 +83,7 @@ static bool read_options(int argc, char **argv, command_line *options, char *mes
             options->luminance = optarg;
             break;
         case OPTION_SIZE:
-            ok = read_size(optarg, &options->settings);
+            ok = read_size(optarg, &options->settings.width, &options->settings.height);
             remedy = "--size: " SIZE_REMEDY;
             break;
         case OPTION_INTEGRATOR:
@@ -101,28 +101,15 @@ static bool read_options(int argc, char **argv, command_line *options, char *mes
         case OPTION_VERSION:
             printf("ew-render %d.%d.%d\n", EW_VERSION_MAJOR, EW_VERSION_MINOR, EW_VERSION_PATCH);
             return false;
-        case ':':
-            message_write(message, size, "%s: needs a value; see ew-render --help", argv[optind - 1]);
-            return false;
         default:
-            /* A bad short option stands in optopt, perhaps amid others; a long one is the whole argument. */
-            if (optopt > 0 && optopt < 256)
-                message_write(message, size, "-%c: is not an option; see ew-render --help", optopt);
-            else
-                message_write(message, size, "%s: is not an option; see ew-render --help", argv[optind - 1]);
-            return false;
+            return refuse_option(option, argv, "ew-render", message, size);
         }
         if (!ok) {
             message_write(message, size, "%s, not \"%s\"", remedy, optarg);
             return false;
         }
     }
-    if (optind < argc) options->scene = argv[optind++];
-    if (optind < argc) {
-        message_write(message, size, "%s: is one scene too many; render them one by one", argv[optind]);
-        return false;
-    }
-    return check_options(options, message, size);
+    return read_scene_name(argc, argv, "render", &options->scene, message, size) && check_options(options, message, size);
 }
 
 /* Draws the scene and prints which GL did. */

@@ -1,8 +1,8 @@
 /* ew-demo's command line: see options.h. */
 #include "options.h"
+#include "command_line.h"
 #include "image.h"
 #include "message.h"
-#include "option_values.h"
 
 #include <getopt.h>
 #include <stdio.h>
@@ -47,6 +47,7 @@ enum {
     OPTION_FPS,
     OPTION_VIDEO,
     OPTION_BACKEND,
+    OPTION_HELP,
     OPTION_VERSION
 };
 
@@ -61,15 +62,9 @@ static const struct option long_options[] = {{"size", required_argument, NULL, O
                                              {"output", required_argument, NULL, 'o'},
                                              {"video", required_argument, NULL, OPTION_VIDEO},
                                              {"backend", required_argument, NULL, OPTION_BACKEND},
-                                             {"help", no_argument, NULL, 'h'},
+                                             {"help", no_argument, NULL, OPTION_HELP},
                                              {"version", no_argument, NULL, OPTION_VERSION},
                                              {NULL, 0, NULL, 0}};
-
-static bool read_number(const char *text, int least, int most, int *number)
-{
-    const char *end;
-    return read_count(text, &end, number) && *end == '\0' && *number >= least && *number <= most;
-}
 
 static bool read_mode(const char *text, stage_mode *mode)
 {
@@ -129,7 +124,7 @@ bool options_read(int argc, char **argv, demo_options *options, char *message, s
         const char *remedy = "";
         switch (option) {
         case OPTION_SIZE:
-            ok = read_size(optarg, &options->settings);
+            ok = read_size(optarg, &options->settings.width, &options->settings.height);
             remedy = "--size: " SIZE_REMEDY;
             break;
         case OPTION_INTEGRATOR:
@@ -170,32 +165,20 @@ bool options_read(int argc, char **argv, demo_options *options, char *message, s
             ok = read_backend(optarg, &options->backend);
             remedy = "--backend: " BACKEND_REMEDY;
             break;
+        case OPTION_HELP:
         case 'h':
             fputs(help, stdout);
             return false;
         case OPTION_VERSION:
             printf("ew-demo %d.%d.%d\n", EW_VERSION_MAJOR, EW_VERSION_MINOR, EW_VERSION_PATCH);
             return false;
-        case ':':
-            message_write(message, size, "%s: needs a value; see ew-demo --help", argv[optind - 1]);
-            return false;
         default:
-            /* A bad short option stands in optopt, perhaps amid others; a long one is the whole argument. */
-            if (optopt > 0 && optopt < 256)
-                message_write(message, size, "-%c: is not an option; see ew-demo --help", optopt);
-            else
-                message_write(message, size, "%s: is not an option; see ew-demo --help", argv[optind - 1]);
-            return false;
+            return refuse_option(option, argv, "ew-demo", message, size);
         }
         if (!ok) {
             message_write(message, size, "%s, not \"%s\"", remedy, optarg);
             return false;
         }
     }
-    if (optind < argc) options->scene = argv[optind++];
-    if (optind < argc) {
-        message_write(message, size, "%s: is one scene too many; show them one by one", argv[optind]);
-        return false;
-    }
-    return check(options, message, size);
+    return read_scene_name(argc, argv, "show", &options->scene, message, size) && check(options, message, size);
 }

@@ -1,6 +1,7 @@
 /*
  * ew-accuracy: the library's luminance of scene files against the double-precision reference.
  */
+#include "command_line.h"
 #include "comparison.h"
 #include "context.h"
 #include "named_integrator.h"
@@ -74,13 +75,6 @@ static bool read_integrators(char *list, command_line *options)
     return options->integrator_count > 0;
 }
 
-static bool read_size(const char *text, command_line *options)
-{
-    int end = 0;
-    return sscanf(text, "%4dx%4d%n", &options->width, &options->height, &end) == 2 && text[end] == '\0' && options->width > 0 &&
-           options->width <= RENDER_MAX_SIDE && options->height > 0 && options->height <= RENDER_MAX_SIDE;
-}
-
 static bool read_pixels(const char *text, command_line *options)
 {
     char *end;
@@ -88,16 +82,6 @@ static bool read_pixels(const char *text, command_line *options)
     options->pixels = pixels;
     options->pixels_given = true;
     return *end == '\0' && pixels > 0;
-}
-
-static bool read_backend(const char *text, context_backend *backend)
-{
-    for (int i = 0; context_backend_names[i]; i++)
-        if (strcmp(text, context_backend_names[i]) == 0) {
-            *backend = (context_backend)i;
-            return true;
-        }
-    return false;
 }
 
 enum {
@@ -139,7 +123,7 @@ static bool read_options(int argc, char **argv, command_line *options)
             ok = read_backend(optarg, &options->backend);
             break;
         case OPTION_SIZE:
-            ok = read_size(optarg, options);
+            ok = read_size(optarg, &options->width, &options->height);
             break;
         case OPTION_PIXELS:
             ok = read_pixels(optarg, options);

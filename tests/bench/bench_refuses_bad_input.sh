@@ -30,6 +30,8 @@ refuses '--name' "$scene" --report bench_docs --name a/b
 refuses '--name' "$scene" --name a
 refuses '--backend' "$scene" --backend glide
 refuses '--nonsense' "$scene" --nonsense
+refuses '-z: is' "$scene" -z
+refuses '--help=please: is' --help=please
 refuses '--csv' "$scene" --csv
 refuses 'nowhere.json' nowhere.json --size 8x8
 refuses 'nowhere/table.csv' "$scene" --size 8x8 --csv nowhere/table.csv

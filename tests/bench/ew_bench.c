@@ -1,6 +1,7 @@
 /*
  * ew-bench: how fast and how wrong the library and its peers are on scene files.
  */
+#include "command_line.h"
 #include "context.h"
 #include "integrator.h"
 #include "message.h"
@@ -54,33 +55,6 @@ typedef struct command_line {
 
 /* ---- Options ------------------------------------------------------------------------------------------------------------ */
 
-/* Reads a number from `least` to `most`, up to the character `end`; returns what follows that, or NULL. */
-static const char *read_count(const char *text, int least, int most, char end, int *count)
-{
-    char *stop;
-    if (!isdigit((unsigned char)text[0])) return NULL;
-    unsigned long value = strtoul(text, &stop, 10);
-    if (*stop != end || value < (unsigned long)least || value > (unsigned long)most) return NULL;
-    *count = (int)value;
-    return stop + 1;
-}
-
-static bool read_size(const char *text, command_line *options)
-{
-    text = read_count(text, 1, RENDER_MAX_SIDE, 'x', &options->width);
-    return text && read_count(text, 1, RENDER_MAX_SIDE, '\0', &options->height);
-}
-
-static bool read_backend(const char *text, context_backend *backend)
-{
-    for (int i = 0; context_backend_names[i]; i++)
-        if (strcmp(text, context_backend_names[i]) == 0) {
-            *backend = (context_backend)i;
-            return true;
-        }
-    return false;
-}
-
 /* A name that is safe in any file's name and in a Markdown link. */
 static bool is_plain_name(const char *text)
 {
@@ -97,7 +71,8 @@ enum {
     OPTION_CSV,
     OPTION_REPORT,
     OPTION_NAME,
-    OPTION_BACKEND
+    OPTION_BACKEND,
+    OPTION_HELP
 };
 
 static const struct option long_options[] = {{"size", required_argument, NULL, OPTION_SIZE},
@@ -108,7 +83,7 @@ static const struct option long_options[] = {{"size", required_argument, NULL, O
                                              {"report", required_argument, NULL, OPTION_REPORT},
                                              {"name", required_argument, NULL, OPTION_NAME},
                                              {"backend", required_argument, NULL, OPTION_BACKEND},
-                                             {"help", no_argument, NULL, 'h'},
+                                             {"help", no_argument, NULL, OPTION_HELP},
                                              {NULL, 0, NULL, 0}};
 
 /* Returns whether there is something to do; where there is not, a message if the command line is at fault. */
@@ -121,18 +96,18 @@ static bool read_options(int argc, char **argv, command_line *options, char *mes
         const char *remedy = "";
         switch (option) {
         case OPTION_SIZE:
-            ok = read_size(optarg, options);
-            remedy = "--size: must be WIDTHxHEIGHT, each from 1 to 8192";
+            ok = read_size(optarg, &options->width, &options->height);
+            remedy = "--size: " SIZE_REMEDY;
             break;
         case OPTION_INTEGRATORS:
             options->integrators = optarg;
             break;
         case OPTION_REPETITIONS:
-            ok = read_count(optarg, MEASURE_MIN_REPETITIONS, MAX_REPETITIONS, '\0', &options->repetitions) != NULL;
+            ok = read_number(optarg, MEASURE_MIN_REPETITIONS, MAX_REPETITIONS, &options->repetitions);
             remedy = "--repetitions: must be from 3 to 1000";
             break;
         case OPTION_ERROR_SAMPLES:
-            ok = read_count(optarg, 1, MAX_ERROR_SAMPLES, '\0', &options->error_samples) != NULL;
+            ok = read_number(optarg, 1, MAX_ERROR_SAMPLES, &options->error_samples);
             remedy = "--error-samples: must be from 1 to 1000000";
             break;
         case OPTION_CSV:
@@ -148,17 +123,14 @@ static bool read_options(int argc, char **argv, command_line *options, char *mes
             break;
         case OPTION_BACKEND:
             ok = read_backend(optarg, &options->backend);
-            remedy = "--backend: must be auto, egl or osmesa";
+            remedy = "--backend: " BACKEND_REMEDY;
             break;
+        case OPTION_HELP:
         case 'h':
             fputs(help, stdout);
             return false;
-        case ':':
-            message_write(message, size, "%s: needs a value; see ew-bench --help", argv[optind - 1]);
-            return false;
         default:
-            message_write(message, size, "%s: is not an option; see ew-bench --help", argv[optind - 1]);
-            return false;
+            return refuse_option(option, argv, "ew-bench", message, size);
         }
         if (!ok) {
             message_write(message, size, "%s, not \"%s\"", remedy, optarg);

@@ -37,7 +37,10 @@ refuses 'needs one place for the frame' --offscreen -o frame.png
 refuses 'needs one place for the frame' --offscreen -o frame%s.png
 refuses 'needs one place for the frame' --offscreen -o %d%d.png
 refuses 'needs one place for the frame' --offscreen --frames 3 -o %s.png
-refuses 'is not an option' --fast
+refuses '--fast: is not an option' --fast
+refuses '--help=please: is not an option' --help=please
+refuses '-z: is not an option' -z
+refuses '-o: needs a value' --offscreen -o
 refuses 'is one scene too many' a.json b.json
 refuses 'missing.json: cannot be opened' missing.json --offscreen --frames 0 -o %d.png
 refuses 'cannot be written' --offscreen --frames 0 --size 8x8 -o missing/%d.png

@@ -1,11 +1,12 @@
-/* The values of options: see option_values.h. */
-#include "option_values.h"
+/* Values of options, and bad arguments: see command_line.h. */
+#include "command_line.h"
+#include "message.h"
 
 #include <ctype.h>
+#include <getopt.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* Returns whether `text` is a number of 1 to 9 digits, and that number. */
 bool read_count(const char *text, const char **end, int *count)
 {
     char *stop;
@@ -17,12 +18,17 @@ bool read_count(const char *text, const char **end, int *count)
     return true;
 }
 
-bool read_size(const char *text, render_settings *settings)
+bool read_number(const char *text, int least, int most, int *number)
 {
     const char *end;
-    return read_count(text, &end, &settings->width) && *end == 'x' && read_count(end + 1, &end, &settings->height) &&
-           *end == '\0' && settings->width >= 1 && settings->width <= RENDER_MAX_SIDE && settings->height >= 1 &&
-           settings->height <= RENDER_MAX_SIDE;
+    return read_count(text, &end, number) && *end == '\0' && *number >= least && *number <= most;
+}
+
+bool read_size(const char *text, int *width, int *height)
+{
+    const char *end;
+    return read_count(text, &end, width) && *width >= 1 && *width <= RENDER_MAX_SIDE && *end == 'x' &&
+           read_number(end + 1, 1, RENDER_MAX_SIDE, height);
 }
 
 bool read_integrator(const char *text, render_settings *settings)
@@ -58,5 +64,25 @@ bool read_backend(const char *text, context_backend *backend)
             *backend = (context_backend)i;
             return true;
         }
+    return false;
+}
+
+/* A bad short option stands in optopt, perhaps amid others; a long one is the whole argument. */
+bool refuse_option(int option, char **argv, const char *program, char *message, size_t size)
+{
+    if (option == ':')
+        message_write(message, size, "%s: needs a value; see %s --help", argv[optind - 1], program);
+    else if (optopt > 0 && optopt < 256)
+        message_write(message, size, "-%c: is not an option; see %s --help", optopt, program);
+    else
+        message_write(message, size, "%s: is not an option; see %s --help", argv[optind - 1], program);
+    return false;
+}
+
+bool read_scene_name(int argc, char **argv, const char *verb, const char **scene, char *message, size_t size)
+{
+    if (optind < argc) *scene = argv[optind++];
+    if (optind == argc) return true;
+    message_write(message, size, "%s: is one scene too many; %s them one by one", argv[optind], verb);
     return false;
 }
