@@ -4,6 +4,7 @@
 #include "canvas.h"
 #include "debug_output.h"
 #include "glow.h"
+#include "program_context.h"
 #include "scramble.h"
 
 #include <setjmp.h>
@@ -898,24 +899,14 @@ static void depth_that_cannot_be_read_is_refused_by_name(void **unused)
     assert_int_equal(gl.GetError(), GL_NO_ERROR);
 }
 
-static void gl_has_nothing_to_say(void **unused)
-{
-    (void)unused;
-    assert_int_equal(debug_output_count(), 0);
-}
-
 int main(int argc, char **argv)
 {
     test_context_desc desc;
     if (argc != 2 || !test_context_describe(argv[1], &desc)) return 2;
     desc.window = !desc.osmesa;
     if (strcmp(argv[1], "gl45") == 0 || strcmp(argv[1], "es31") == 0) desc.window_samples = SAMPLES;
-    context = test_context_create(&desc);
-    if (context == NULL) return 1;
-    test_context_make_current(context);
-    api_load(context);
-    fprintf(stderr, "%s, %s\n", (const char *)gl.GetString(GL_RENDERER), (const char *)gl.GetString(GL_VERSION));
-    debug_output_watch();
+    context = open_described_context(&desc);
+    if (context == NULL) return 2;
     effect = glow_create(context);
     target = canvas_create(WIDTH, HEIGHT, GL_RGBA32F, 0, 0);
 
@@ -938,7 +929,6 @@ int main(int argc, char **argv)
     int failed = cmocka_run_group_tests_name(argv[1], tests, NULL, NULL);
     canvas_destroy(&target);
     ew_destroy_effect(effect);
-    test_context_make_current(NULL);
-    test_context_destroy(context);
+    close_context(context);
     return failed;
 }

@@ -1,23 +1,9 @@
 /* Contexts, targets, frames and sources for the tests of an effect's life. */
 #include "effect_fixture.h"
-#include "debug_output.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-
-test_context *open_context(const char *name, test_context *share)
-{
-    test_context_desc desc;
-    if (!test_context_describe(name, &desc)) return NULL;
-    desc.share = share;
-    test_context *context = test_context_create(&desc);
-    if (context == NULL) return NULL;
-    test_context_make_current(context);
-    api_load(context);
-    debug_output_watch();
-    return context;
-}
 
 GLuint make_framebuffer_of(GLuint renderbuffer)
 {
@@ -30,13 +16,15 @@ GLuint make_framebuffer_of(GLuint renderbuffer)
     return framebuffer;
 }
 
-GLuint make_target(GLuint *renderbuffer)
+GLuint make_target(GLuint *attachment)
 {
-    gl.GenRenderbuffers(1, renderbuffer);
-    gl.BindRenderbuffer(GL_RENDERBUFFER, *renderbuffer);
+    GLuint renderbuffer;
+    gl.GenRenderbuffers(1, &renderbuffer);
+    gl.BindRenderbuffer(GL_RENDERBUFFER, renderbuffer);
     gl.RenderbufferStorage(GL_RENDERBUFFER, GL_RGBA32F, PICTURE_WIDTH, PICTURE_HEIGHT);
     gl.BindRenderbuffer(GL_RENDERBUFFER, 0);
-    return make_framebuffer_of(*renderbuffer);
+    if (attachment) *attachment = renderbuffer;
+    return make_framebuffer_of(renderbuffer);
 }
 
 void clear_target(GLuint framebuffer)

@@ -1,4 +1,4 @@
-/* What the tests of an effect's life share: a context by name, a float target, a frame and sources to draw there. */
+/* What the tests of an effect's life share: a float target, a frame and sources to draw there. */
 #ifndef TEST_EFFECT_FIXTURE_H
 #define TEST_EFFECT_FIXTURE_H
 
@@ -13,12 +13,9 @@ typedef struct picture {
     GLfloat pixels[PICTURE_HEIGHT][PICTURE_WIDTH][4];
 } picture;
 
-/* A context of the kind called `name` (see context.h), sharing objects with `share` or NULL; it becomes current, `gl` is
- * loaded, and debug output watched. NULL if there is no such kind or context. */
-test_context *open_context(const char *name, test_context *share);
-
-/* A framebuffer of the current context with an RGBA32F attachment of the picture's size, and the attachment. */
-GLuint make_target(GLuint *renderbuffer);
+/* A framebuffer of the current context with an RGBA32F attachment of the picture's size, and the attachment's name unless that
+ * is NULL. */
+GLuint make_target(GLuint *attachment);
 GLuint make_framebuffer_of(GLuint renderbuffer);
 
 void clear_target(GLuint framebuffer);

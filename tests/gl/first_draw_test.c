@@ -2,6 +2,7 @@
  *
  *     first_draw_test CONTEXT    one of the names in context.h */
 #include "effect_fixture.h"
+#include "program_context.h"
 
 #include <setjmp.h>
 #include <stdarg.h>
@@ -56,11 +57,9 @@ static void what_was_prepared_draws_at_once(void **state)
 int main(int argc, char **argv)
 {
     if (argc != 2 || (context = open_context(argv[1], NULL)) == NULL) return 2;
-    GLuint renderbuffer;
-    target = make_target(&renderbuffer);
+    target = make_target(NULL);
     const struct CMUnitTest tests[] = {cmocka_unit_test(what_was_prepared_draws_at_once)};
     int failed = cmocka_run_group_tests_name(argv[1], tests, NULL, NULL);
-    test_context_make_current(NULL);
-    test_context_destroy(context);
+    close_context(context);
     return failed;
 }

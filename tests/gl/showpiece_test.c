@@ -4,7 +4,7 @@
 #include "camera.h"
 #include "canvas.h"
 #include "debug_output.h"
-#include "effect_fixture.h"
+#include "program_context.h"
 #include "scene_file.h"
 
 #include <math.h>
@@ -43,8 +43,7 @@ static bool draw_in(const char *name, const ew_scene *scene, GLfloat pixels[VALU
         fprintf(stderr, "%s: %s\n", name, error.text);
     ew_destroy_effect(effect);
     canvas_destroy(&made);
-    test_context_make_current(NULL);
-    test_context_destroy(context);
+    close_context(context);
     return drawn;
 }
 

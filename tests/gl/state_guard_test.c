@@ -5,6 +5,7 @@
  * Two contexts share their objects: a clean one, which prepares the targets and reads the pictures, and a scrambled one. */
 #include "compatibility.h"
 #include "debug_output.h"
+#include "program_context.h"
 #include "scramble.h"
 #include "state_guard.h"
 
@@ -893,27 +894,17 @@ static void objects_that_another_context_deleted_do_not_come_back(void **unused)
 
 int main(int argc, char **argv)
 {
-    test_context_desc desc;
-    if (argc != 2 || !test_context_describe(argv[1], &desc)) return 2;
-    contexts[CLEAN] = test_context_create(&desc);
-    desc.share = contexts[CLEAN];
-    contexts[SCRAMBLED] = contexts[CLEAN] ? test_context_create(&desc) : NULL;
-    if (contexts[SCRAMBLED] == NULL) return 1;
-
-    make_current(CLEAN);
-    api_load(contexts[CLEAN]);
-    debug_output_watch();
+    if (argc != 2 || (contexts[CLEAN] = open_context(argv[1], NULL)) == NULL) return 2;
     make_targets();
     incomplete_framebuffers[CLEAN] = make_incomplete_framebuffer();
     depthless_framebuffers[CLEAN] = make_depthless_framebuffer();
-    make_current(SCRAMBLED);
-    debug_output_watch();
+    contexts[SCRAMBLED] = open_context(argv[1], contexts[CLEAN]);
+    if (contexts[SCRAMBLED] == NULL) return 2;
     host_create(&host);
     incomplete_framebuffers[SCRAMBLED] = make_incomplete_framebuffer();
     depthless_framebuffers[SCRAMBLED] = make_depthless_framebuffer();
     for (int j = 0; j < TARGET_COUNT; j++)
         targets[j].framebuffers[SCRAMBLED] = make_framebuffer(&targets[j]);
-    fprintf(stderr, "%s, %s\n", (const char *)gl.GetString(GL_RENDERER), (const char *)gl.GetString(GL_VERSION));
 
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(guard_restores_all_state_and_the_picture_is_clean),
@@ -926,8 +917,7 @@ int main(int argc, char **argv)
         cmocka_unit_test(objects_that_another_context_deleted_do_not_come_back),
     };
     int failed = cmocka_run_group_tests_name(argv[1], tests, NULL, NULL);
-    test_context_make_current(NULL);
-    test_context_destroy(contexts[SCRAMBLED]);
-    test_context_destroy(contexts[CLEAN]);
+    close_context(contexts[SCRAMBLED]);
+    close_context(contexts[CLEAN]);
     return failed;
 }

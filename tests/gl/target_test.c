@@ -2,8 +2,8 @@
  *
  *     target_test CONTEXT    one of the names in context.h */
 #include "canvas.h"
-#include "debug_output.h"
 #include "glow.h"
+#include "program_context.h"
 
 #include <setjmp.h>
 #include <stdarg.h>
@@ -251,22 +251,9 @@ static void targets_of_all_sizes_take_turns(void **unused)
         canvas_destroy(&made[i]);
 }
 
-static void gl_has_nothing_to_say(void **unused)
-{
-    (void)unused;
-    assert_int_equal(debug_output_count(), 0);
-}
-
 int main(int argc, char **argv)
 {
-    test_context_desc desc;
-    if (argc != 2 || !test_context_describe(argv[1], &desc)) return 2;
-    context = test_context_create(&desc);
-    if (context == NULL) return 1;
-    test_context_make_current(context);
-    api_load(context);
-    fprintf(stderr, "%s, %s\n", (const char *)gl.GetString(GL_RENDERER), (const char *)gl.GetString(GL_VERSION));
-    debug_output_watch();
+    if (argc != 2 || (context = open_context(argv[1], NULL)) == NULL) return 2;
     effect = glow_create(context);
     floats = canvas_create(WIDTH, HEIGHT, GL_RGBA32F, 0, 0);
     bytes = canvas_create(WIDTH, HEIGHT, GL_RGBA8, 0, 0);
@@ -287,7 +274,6 @@ int main(int argc, char **argv)
     canvas_destroy(&bytes);
     canvas_destroy(&srgb);
     ew_destroy_effect(effect);
-    test_context_make_current(NULL);
-    test_context_destroy(context);
+    close_context(context);
     return failed;
 }

@@ -3,6 +3,7 @@
  *     threads_test CONTEXT    one of the names in context.h */
 #include "debug_output.h"
 #include "effect_fixture.h"
+#include "program_context.h"
 #include "watched_gl.h"
 
 #include <setjmp.h>
@@ -56,7 +57,7 @@ static void *paint(void *argument)
 {
     painter *self = argument;
     test_context_make_current(self->context);
-    GLuint own_renderbuffer, own_target = make_target(&own_renderbuffer);
+    GLuint own_target = make_target(NULL);
     const ew_effect_desc desc = {.get_proc_address = test_context_get_proc_address, .user = self->context};
     ew_effect *effect = create_effect(&desc, 0, 0);
     pthread_barrier_wait(self->start);
@@ -213,12 +214,6 @@ static void an_effect_goes_to_and_fro_between_contexts(void **state)
     debug_output_resume();
 }
 
-static void gl_has_nothing_to_say(void **state)
-{
-    (void)state;
-    assert_int_equal(debug_output_count(), 0);
-}
-
 int main(int argc, char **argv)
 {
     if (argc != 2 || (context = open_context(kind = argv[1], NULL)) == NULL) return 2;
@@ -230,7 +225,6 @@ int main(int argc, char **argv)
         cmocka_unit_test(gl_has_nothing_to_say),
     };
     int failed = cmocka_run_group_tests_name(kind, tests, NULL, NULL);
-    test_context_make_current(NULL);
-    test_context_destroy(context);
+    close_context(context);
     return failed;
 }
