@@ -5,8 +5,8 @@
 ew_render=$1
 probe=$2
 scenes=$3
-failures=0
-rm -rf backends && mkdir backends && cd backends || exit 1
+. "$(dirname "$0")/../checks.sh"
+enters backends
 
 cat > mix.json << 'JSON'
 { "camera": { "eye": [0, 2, 8], "target": [0, 0.6, 0] }, "interval": { "start": 3, "end": 15 },
@@ -32,20 +32,17 @@ for scene in mix.json "$scenes"/*.json; do
     name=$(basename "$scene" .json)
     for backend in egl osmesa auto; do
         "$ew_render" "$scene" -o "$name.$backend.png" --size 320x180 --backend $backend > /dev/null ||
-            failures=$((failures + 1))
+            complain "$name is not drawn by $backend"
     done
     largest=256
     above=100
     "$probe" difference "$name.egl.png" "$name.osmesa.png" > difference && read -r largest above < difference
     if ! awk "BEGIN { exit !($largest <= 2 && $above <= 0.1) }"; then
-        failures=$((failures + 1))
-        printf 'FAILED: %s: largest difference %s, above 1: %s %%\n' "$name" "$largest" "$above"
+        complain "$name: largest difference $largest, above 1: $above %"
     fi
     if ! cmp -s "$name.auto.png" "$name.egl.png" && ! cmp -s "$name.auto.png" "$name.osmesa.png"; then
-        failures=$((failures + 1))
-        printf 'FAILED: %s: auto is neither EGL nor OSMesa\n' "$name"
+        complain "$name: auto is neither EGL nor OSMesa"
     fi
 done
 
-printf '%d failures\n' $failures
-[ $failures -eq 0 ]
+concludes

@@ -3,19 +3,14 @@
 # no output, half-written or whole.
 # Usage: bad_input.sh EW_RENDER EW_PROBE_IMAGE SCENES
 ew_render=$1
-failures=0
+. "$(dirname "$0")/../checks.sh"
 cases=0
-rm -rf bad_input && mkdir -p bad_input/out && cd bad_input || exit 1
+enters bad_input
+mkdir out
 
 # scene MEMBERS: writes scene.json, a good scene but for its further members.
 scene() {
     printf '{ "camera": { "eye": [0, 0, 8], "target": [0, 0, 0] }, %s }\n' "$1" > scene.json
-}
-
-complain() {
-    failures=$((failures + 1))
-    printf 'FAILED: %s\n' "$*"
-    cat stderr
 }
 
 # refuses PLACE ARGUMENT...: expects ew-render with these arguments to refuse, naming PLACE (a basic regular expression).
@@ -25,9 +20,9 @@ refuses() {
     cases=$((cases + 1))
     "$ew_render" "$@" > stdout 2> stderr < /dev/null
     status=$?
-    if [ $status -ne 2 ]; then complain "$place: exit status $status instead of 2"; return; fi
-    if [ "$(wc -l < stderr)" -ne 1 ]; then complain "$place: not one line"; return; fi
-    if ! grep -q "^ew-render: $place: ." stderr; then complain "$place is not named"; return; fi
+    if [ $status -ne 2 ]; then complain "$place: exit status $status instead of 2: $(cat stderr)"; return; fi
+    if [ "$(wc -l < stderr)" -ne 1 ]; then complain "$place: not one line: $(cat stderr)"; return; fi
+    if ! grep -q "^ew-render: $place: ." stderr; then complain "$place is not named: $(cat stderr)"; return; fi
     if [ -n "$(ls -A out)" ]; then complain "$place: left $(ls -A out)"; rm -rf out/*; fi
 }
 
@@ -168,5 +163,5 @@ refuses '--backend egl' scene.json -o out/picture.png --backend egl --size 16x9
 export __EGL_VENDOR_LIBRARY_FILENAMES=/nonexistent
 refuses '--backend egl' scene.json -o out/picture.png --backend egl --size 16x9
 
-printf '%d cases, %d failures\n' $cases $failures
-[ $failures -eq 0 ]
+printf '%d cases, ' $cases
+concludes

@@ -6,13 +6,9 @@ ew_render=$1
 probe=$2
 scenes=$3
 version=$4
-failures=0
-rm -rf output && mkdir -p output/out && cd output || exit 1
-
-complain() {
-    failures=$((failures + 1))
-    printf 'FAILED: %s\n' "$*"
-}
+. "$(dirname "$0")/../checks.sh"
+enters output
+mkdir out
 
 # is WHAT EXPECTED FOUND
 is() {
@@ -103,5 +99,4 @@ done
 is 'the version' "ew-render $version" "$("$ew_render" --version)"
 "$ew_render" --help | grep -q '^Usage: ew-render' || complain '--help shows no usage'
 
-printf '%d failures\n' $failures
-[ $failures -eq 0 ]
+concludes

@@ -2,14 +2,9 @@
 # What ew-demo says to bad input: one line that names the option and what to mend, exit status 2, and nothing written.
 # Usage: bad_input.sh EW_DEMO EW_RENDER SCENES VERSION
 ew_demo=$1
-failures=0
-rm -rf bad_input && mkdir bad_input && cd bad_input || exit 1
+. "$(dirname "$0")/../checks.sh"
+enters bad_input
 unset DISPLAY WAYLAND_DISPLAY
-
-complain() {
-    failures=$((failures + 1))
-    printf 'FAILED: %s\n' "$*"
-}
 
 # refuses TEXT ARGUMENT...
 refuses() {
@@ -45,5 +40,4 @@ refuses 'is one scene too many' a.json b.json
 refuses 'missing.json: cannot be opened' missing.json --offscreen --frames 0 -o %d.png
 refuses 'cannot be written' --offscreen --frames 0 --size 8x8 -o missing/%d.png
 
-printf '%d failures\n' $failures
-[ $failures -eq 0 ]
+concludes

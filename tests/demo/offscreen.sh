@@ -6,14 +6,9 @@ ew_demo=$1
 ew_render=$2
 scenes=$3
 version=$4
-failures=0
-rm -rf offscreen && mkdir offscreen && cd offscreen || exit 1
+. "$(dirname "$0")/../checks.sh"
+enters offscreen
 unset DISPLAY WAYLAND_DISPLAY
-
-complain() {
-    failures=$((failures + 1))
-    printf 'FAILED: %s\n' "$*"
-}
 
 # draws ARGUMENT...: frames of 96x54, without a word.
 draws() {
@@ -66,5 +61,4 @@ grep -q '^ew-demo: --video: ffmpeg is not installed' output || complain "without
 [ "$("$ew_demo" --version)" = "ew-demo $version" ] || complain "the version is $("$ew_demo" --version)"
 "$ew_demo" --help | grep -q '^Usage: ew-demo' || complain '--help shows no usage'
 
-printf '%d failures\n' $failures
-[ $failures -eq 0 ]
+concludes
