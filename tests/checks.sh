@@ -19,6 +19,16 @@ complain() {
     printf 'FAILED: %s\n' "$*"
 }
 
+# alike EW_PROBE_IMAGE A B: 8-bit pictures that may be by different rasterisers, at most 2/255 apart anywhere, and more than 1/255
+# apart in 0.1 % of the pixels at most.
+alike() {
+    largest=256
+    above=100
+    "$1" difference "$2" "$3" > difference && read -r largest above < difference
+    awk "BEGIN { exit !($largest <= 2 && $above <= 0.1) }" ||
+        complain "$2 and $3: largest difference $largest, above 1: $above %"
+}
+
 # concludes: the last command of a test.
 concludes() {
     printf '%d failures\n' $failures
