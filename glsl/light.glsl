@@ -9,32 +9,45 @@ void ew_add(float luminance, vec3 color, inout vec4 sum)
     sum += vec4(luminance * color, luminance);
 }
 
-// The light of all sources along a segment: sum B_i color_i, and sum B_i as the fourth component.
+// The light of all sources along a segment: sum B_i color_i, and sum B_i as the fourth component. Loops are left at their ends: one
+// that tests first has its body run once too often on a software rasteriser, for no pixel at all.
 vec4 ew_integrate_all(ew_segment segment)
 {
     vec4 sum = vec4(0.0);
 #ifdef EW_POINTS
-    for (int i = 0; i < EW_POINT_COUNT; ++i) {
-        ew_point_block point = ew_point(i);
-        ew_add(point.position.w * ew_integrate_point(segment, point), point.color.rgb, sum);
+    if (EW_POINT_COUNT > 0) {
+        int i = 0;
+        do {
+            ew_point_block point = ew_point(i);
+            ew_add(point.position.w * ew_integrate_point(segment, point), point.color.rgb, sum);
+        } while (++i < EW_POINT_COUNT);
     }
 #endif
 #ifdef EW_LINES
-    for (int i = 0; i < EW_LINE_COUNT; ++i) {
-        ew_line_block line = ew_line(i);
-        ew_add(line.position.w * ew_integrate_line(segment, line), line.color.rgb, sum);
+    if (EW_LINE_COUNT > 0) {
+        int i = 0;
+        do {
+            ew_line_block line = ew_line(i);
+            ew_add(line.position.w * ew_integrate_line(segment, line), line.color.rgb, sum);
+        } while (++i < EW_LINE_COUNT);
     }
 #endif
 #ifdef EW_TORI
-    for (int i = 0; i < EW_TORUS_COUNT; ++i) {
-        ew_torus_block torus = ew_torus(i);
-        ew_add(torus.center.w * ew_integrate_torus(segment, torus), torus.color.rgb, sum);
+    if (EW_TORUS_COUNT > 0) {
+        int i = 0;
+        do {
+            ew_torus_block torus = ew_torus(i);
+            ew_add(torus.center.w * ew_integrate_torus(segment, torus), torus.color.rgb, sum);
+        } while (++i < EW_TORUS_COUNT);
     }
 #endif
 #ifdef EW_CURVES
-    for (int i = 0; i < EW_CURVE_COUNT; ++i) {
-        ew_curve_block curve = ew_curve(i);
-        ew_add(curve.origin.w * ew_integrate_curve(segment, curve), curve.color.rgb, sum);
+    if (EW_CURVE_COUNT > 0) {
+        int i = 0;
+        do {
+            ew_curve_block curve = ew_curve(i);
+            ew_add(curve.origin.w * ew_integrate_curve(segment, curve), curve.color.rgb, sum);
+        } while (++i < EW_CURVE_COUNT);
     }
 #endif
     return sum;
