@@ -59,16 +59,17 @@ vec2 ew_ring_core(ew_ring_side side)
     float half_apart2 = 0.25 * (apart * apart + ew_square(side.own.y - side.other.y));
     vec2 edges = vec2(-1.0, 1.0) * product;
     edges /= sqrt(half_apart2) + sqrt(max(half_apart2 + edges, 0.0)) + 1e-20;
-    // From here on: the squared distance is nearly a parabola. An error of the edges counts by its square.
+    // From here on: the squared distance is nearly a parabola. An error of the edges counts by its square. (Where no ray of a
+    // group enters, a software rasteriser is done after the first step.)
     vec2 room = vec2(-nearest, side.end - nearest);
     edges = clamp(edges, room.xx, room.yy);
     float wanted = max(epsilon * epsilon - nearest2, 1e-30);
-    vec2 growth2 = ew_ring_distance_squared(side, nearest + edges) - nearest2;
-    edges = clamp(edges * sqrt(wanted / max(growth2, 0.25 * wanted)), room.xx, room.yy);
-    growth2 = ew_ring_distance_squared(side, nearest + edges) - nearest2;
-    edges = clamp(edges * sqrt(wanted / max(growth2, 0.25 * wanted)), room.xx, room.yy);
-    growth2 = ew_ring_distance_squared(side, nearest + edges) - nearest2;
-    edges = clamp(edges * sqrt(wanted / max(growth2, 0.25 * wanted)), room.xx, room.yy);
+    int steps = nearest2 < epsilon * epsilon ? 3 : 1;
+    int i = 0;
+    do {
+        vec2 growth2 = ew_ring_distance_squared(side, nearest + edges) - nearest2;
+        edges = clamp(edges * sqrt(wanted / max(growth2, 0.25 * wanted)), room.xx, room.yy);
+    } while (++i < steps);
     return nearest2 < epsilon * epsilon ? nearest + edges : vec2(side.end);
 }
 
