@@ -155,7 +155,7 @@ vec2 ew_closest_approaches(ew_arc arc)
     return shift + ew_distance_minima(cubic, quadratic, linear, constant);
 }
 
-float ew_integrate_rest(ew_arc shape, ew_passage passage, float from, float to, float allowance);
+float ew_integrate_rest(ew_arc arc, ew_passage passage, float from, float to, float allowance);
 
 // The nearest point of the arc, seen from the ray at s.
 float ew_nearest_tau(ew_arc arc, float s)

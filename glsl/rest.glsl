@@ -1,11 +1,10 @@
-// The integral over an interval of the ray inside which one smooth branch of a shape is nearest. Assembled once for each EW_SHAPE;
-// that is a structure for which ew_reciprocal_difference is defined, which also says in which weight piece the nearest point is.
+// The integral over an interval of the ray inside which one smooth branch of an arc is nearest.
 
 // Integral over s in [from, to] of what the passage leaves of weight / (max(epsilon, distance) (s + beta)^2): a smooth rest, by
 // Gauss quadrature in v = 1 / (s + beta), to either side of the passage, or all at once where its peak is wide. A panel is
 // shortened until its values lie on a parabola, up to `allowance`. Next to the passage the rest starts at 0, and a Gauss-Jacobi
 // rule for x f(x) is exact for one power more.
-float ew_integrate_rest(EW_SHAPE shape, ew_passage passage, float from, float to, float allowance)
+float ew_integrate_rest(ew_arc arc, ew_passage passage, float from, float to, float allowance)
 {
     float beta = ew_frame.decay.x;
     float sum = 0.0;
@@ -33,10 +32,10 @@ float ew_integrate_rest(EW_SHAPE shape, ew_passage passage, float from, float to
                                           : vec4(-0.2318919, 0.5873578, -0.5873578, 0.2318919);
         vec4 s = 1.0 / (v + width * nodes) - beta;
         vec4 piece;
-        vec4 rest = vec4(ew_reciprocal_difference(shape, passage, s.x, piece.x),
-                         ew_reciprocal_difference(shape, passage, s.y, piece.y),
-                         ew_reciprocal_difference(shape, passage, s.z, piece.z),
-                         ew_reciprocal_difference(shape, passage, s.w, piece.w));
+        vec4 rest = vec4(ew_reciprocal_difference(arc, passage, s.x, piece.x),
+                         ew_reciprocal_difference(arc, passage, s.y, piece.y),
+                         ew_reciprocal_difference(arc, passage, s.z, piece.z),
+                         ew_reciprocal_difference(arc, passage, s.w, piece.w));
         float roughness = abs(dot(rest, differences)) + EW_SECOND_DIFFERENCE * abs(rest.x - rest.y - rest.z + rest.w);
         bool is_fine = roughness * abs(width) <= allowance;
 #ifdef EW_WEIGHTS
@@ -56,7 +55,7 @@ float ew_integrate_rest(EW_SHAPE shape, ew_passage passage, float from, float to
         float shorter = 0.4 * width;
 #ifdef EW_WEIGHTS
         // Better a panel that ends where the next weight piece starts.
-        float to_knot = 1.0 / (ew_next_knot(shape, piece.x, piece.w) + beta) - v;
+        float to_knot = 1.0 / (ew_next_knot(arc, piece.x, piece.w) + beta) - v;
         if (to_knot * width > 0.0 && abs(to_knot) < 0.95 * abs(width)) shorter = to_knot;
 #endif
         v = is_side_done ? v_center : is_fine ? v + width : v;
