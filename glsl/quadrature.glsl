@@ -55,36 +55,3 @@ float ew_integrate_line_distance(float b2, float k, float s0, float from, float 
     if (core_to < to) sum += ew_integrate_reciprocal(b2, k, s0, core_to, to);
     return sum;
 }
-
-// Where a ray passes a source closely: the squared distance b2 + k (s - s0)^2 that agrees with the source's there in value, slope
-// and curvature, and the source's weight.
-struct ew_passage {
-    bool is_exact;    // it agrees with the source's everywhere in the interval
-    bool is_touching; // it does agree; else it is just another part of the source
-    float b2;
-    float k;
-    float s0;
-    float weight;
-};
-
-// The most panels of an interval's quadrature, refused ones included.
-const int EW_MAX_PANELS = 400;
-// How much the second difference of a panel's values counts beside the third in the estimate of its error. Weights are pieces of
-// parabolas, of which the quadrature makes no error.
-#ifdef EW_WEIGHTS
-const float EW_SECOND_DIFFERENCE = 0.01;
-#else
-const float EW_SECOND_DIFFERENCE = 0.06;
-#endif
-// The length of the first panel beside a peak, in half widths of the peak, and how much longer than one panel the next may be.
-const float EW_FIRST_PANEL = 10.0;
-const float EW_PANEL_GROWTH = 3.0;
-
-// The difference of weight / max(epsilon, d) of the source and of the passage at s.
-float ew_reciprocal_difference(ew_passage passage, float s, float distance_squared, float weight)
-{
-    float epsilon2 = ew_square(ew_frame.decay.y);
-    float model = passage.b2 + passage.k * ew_square(s - passage.s0);
-    ew_evaluation_count += 1;
-    return weight * inversesqrt(max(distance_squared, epsilon2)) - passage.weight * inversesqrt(max(model, epsilon2));
-}

@@ -122,10 +122,19 @@ typedef struct shader_file {
 
 /* The files that make up the light along a segment of a ray, in order, */
 static const shader_file light_files[] = {
-    {ew_glsl_layout_glsl, always},           {ew_glsl_blocks_glsl, always},          {ew_glsl_segment_glsl, always},
-    {ew_glsl_weight_glsl, has_weights},      {ew_glsl_simpson_glsl, is_simpson},     {ew_glsl_quadrature_glsl, is_adaptive},
-    {ew_glsl_point_glsl, integrates_points}, {ew_glsl_line_glsl, integrates_lines},  {ew_glsl_torus_glsl, integrates_tori},
-    {ew_glsl_curve_glsl, integrates_curves}, {ew_glsl_rest_glsl, integrates_curves}, {ew_glsl_light_glsl, always},
+    {ew_glsl_layout_glsl, always},
+    {ew_glsl_blocks_glsl, always},
+    {ew_glsl_segment_glsl, always},
+    {ew_glsl_weight_glsl, has_weights},
+    {ew_glsl_simpson_glsl, is_simpson},
+    {ew_glsl_quadrature_glsl, is_adaptive},
+    {ew_glsl_point_glsl, integrates_points},
+    {ew_glsl_line_glsl, integrates_lines},
+    {ew_glsl_torus_glsl, integrates_tori},
+    {ew_glsl_arc_glsl, integrates_curves},
+    {ew_glsl_rest_glsl, integrates_curves},
+    {ew_glsl_curve_glsl, integrates_curves},
+    {ew_glsl_light_glsl, always},
 };
 /* and those that make a picture of it. */
 static const shader_file picture_files[] = {
