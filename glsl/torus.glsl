@@ -44,33 +44,39 @@ vec2 ew_ring_distance_squared(ew_ring_side side, vec2 x)
     return from_circle * from_circle + height * height;
 }
 
-// Where the ray enters and leaves the core, in which the field is constant; twice side.end if it does not.
-vec2 ew_ring_core(ew_ring_side side)
+// Where the ray enters and leaves the core, in which the field is constant; twice side.end if it does not. distance2_at_axis is
+// the squared distance at x = 0, and reach is about how far the edges are from the closest approach.
+vec2 ew_ring_core(ew_ring_side side, float distance2_at_axis, float reach)
 {
-    float epsilon = ew_frame.decay.y;
-    // The closest approach is near the minimum of |x - own| |x - other|.
+    float epsilon2 = ew_square(ew_frame.decay.y);
+    // The closest approach is near the minimum of |x - own| |x - other|, or else at the axis, where the core may go on to the
+    // other side.
     float apart = side.own.x - side.other.x;
     float own2 = side.own.y * side.own.y;
     float pull = own2 * apart / max(apart * apart + side.other.y * side.other.y + own2, 1e-30);
     float nearest = clamp(side.own.x - pull, 0.0, side.end);
-    float nearest2 = ew_ring_distance_squared(side, vec2(nearest)).x;
-    // At distance epsilon from the circle its farthest point is about 2 radius + epsilon away: (x - own) (x - other) = +- product.
-    float product = epsilon * (2.0 * side.radius + epsilon) / side.growth;
-    float half_apart2 = 0.25 * (apart * apart + ew_square(side.own.y - side.other.y));
-    vec2 edges = vec2(-1.0, 1.0) * product;
-    edges /= sqrt(half_apart2) + sqrt(max(half_apart2 + edges, 0.0)) + 1e-20;
-    // From here on: the squared distance is nearly a parabola. An error of the edges counts by its square. (Where no ray of a
-    // group enters, a software rasteriser is done after the first step.)
+    bool is_entered = ew_ring_distance_squared(side, vec2(nearest)).x < epsilon2;
+    nearest = is_entered ? nearest : 0.0;
+    is_entered = is_entered || distance2_at_axis < epsilon2;
+    // From there to the edges, Newton's method for the squared distance. It is no parabola where the ray runs along the circle.
+    // (Where no ray of a group enters, a software rasteriser is done after the first step.)
     vec2 room = vec2(-nearest, side.end - nearest);
-    edges = clamp(edges, room.xx, room.yy);
-    float wanted = max(epsilon * epsilon - nearest2, 1e-30);
-    int steps = nearest2 < epsilon * epsilon ? 3 : 1;
+    vec2 edges = clamp(vec2(-reach, reach), room.xx, room.yy);
+    int steps = is_entered ? 4 : 1;
     int i = 0;
     do {
-        vec2 growth2 = ew_ring_distance_squared(side, nearest + edges) - nearest2;
-        edges = clamp(edges * sqrt(wanted / max(growth2, 0.25 * wanted)), room.xx, room.yy);
+        vec2 x = nearest + edges;
+        vec2 leaving = side.leaving + side.across2 * x;
+        vec2 from_axis = sqrt(side.from_axis2 + x * (side.leaving + leaving));
+        vec2 from_circle = from_axis - side.radius;
+        vec2 height = side.height + side.climb * x;
+        vec2 excess = (from_circle * from_circle + height * height - epsilon2) * from_axis;
+        vec2 slope = 2.0 * abs(from_circle * leaving + height * side.climb * from_axis);
+        vec2 from_nearest = abs(edges);
+        from_nearest -= clamp(excess / max(slope, 1e-30), -from_nearest, 0.75 * from_nearest);
+        edges = clamp(vec2(-1.0, 1.0) * from_nearest, room.xx, room.yy);
     } while (++i < steps);
-    return nearest2 < epsilon * epsilon ? nearest + edges : vec2(side.end);
+    return is_entered ? nearest + edges : vec2(side.end);
 }
 
 float ew_integrate_ring_core(ew_ring_side side, vec2 core)
@@ -213,8 +219,14 @@ float ew_integrate_torus(ew_segment segment, ew_torus_block torus)
                                     segment.end - s, is_far_own ? plus : minus, is_far_own ? minus : plus);
     ew_ring_side near = ew_ring_side(radius, across2, from_axis2, max(-leaving, 0.0), height, -climb, growth, depth, -1.0, s,
                                      -(is_near_own ? minus : plus), -(is_near_own ? plus : minus));
-    vec2 far_core = ew_ring_core(far);
-    vec2 near_core = ew_ring_core(near);
+    // At distance epsilon from the circle its farthest point is about 2 radius + epsilon away, and the product of both distances
+    // is that of the distances to the zeros, times growth.
+    float distance2_at_axis = ew_square(from_axis - radius) + height * height;
+    float at_edge = ew_frame.decay.y * (2.0 * radius + ew_frame.decay.y);
+    float root2 = dot(root, root);
+    float reach = at_edge / (sqrt(root2) + sqrt(root2 + at_edge * growth));
+    vec2 far_core = ew_ring_core(far, distance2_at_axis, reach);
+    vec2 near_core = ew_ring_core(near, distance2_at_axis, reach);
     float cores = ew_integrate_ring_core(far, far_core) + ew_integrate_ring_core(near, near_core);
 
     // What is before and behind the cores, from the axis outwards, in panels that are no longer than so many times the distance of
