@@ -99,16 +99,14 @@ ew_approaches ew_find_approaches(ew_arc arc)
     return ew_approaches(tau, along / ew_length_squared(arc.direction));
 }
 
-// Where the ray is to be divided: where the nearest point jumps, or nearly so, from one arm of the parabola to the other; if it does
-// not, half way between two closest approaches; else around a sharp bend where the bend's centre of curvature is passed. Behind
-// the ray if nowhere.
-vec2 ew_find_splits(ew_arc arc, ew_approaches approaches)
+// Where the ray is to be divided: where the nearest point jumps, or nearly so, from one arm of the parabola to the other, and around
+// a sharp bend where the bend's centre of curvature is passed. Behind the ray if nowhere.
+vec2 ew_find_splits(ew_arc arc)
 {
     float vertex = ew_zero(arc.equation_start.y, arc.equation_growth.y);
-    bool is_jump = arc.equation_start.x + vertex * arc.equation_growth.x < 0.1 * arc.cubic;
-    if (!is_jump && approaches.tau.x != approaches.tau.y) return vec2(-1.0, 0.5 * (approaches.s.x + approaches.s.y));
-    bool is_sharp = arc.has_arms && arc.slope_x < 0.1 * arc.bend;
     float bend = ew_zero(arc.equation_start.x, arc.equation_growth.x);
+    bool is_jump = arc.equation_start.x + vertex * arc.equation_growth.x < 0.1 * arc.cubic;
+    bool is_sharp = arc.has_arms && arc.slope_x < 0.1 * arc.bend;
     return vec2(is_jump ? vertex : -1.0, is_sharp ? bend : -1.0);
 }
 
@@ -171,7 +169,7 @@ float ew_integrate_curve(ew_segment segment, ew_curve_block curve)
     float sum = ew_integrate_end(arc, arc.first, first) + ew_integrate_end(arc, arc.last, last);
 
     ew_approaches approaches = ew_find_approaches(arc);
-    vec2 splits = ew_find_splits(arc, approaches);
+    vec2 splits = ew_find_splits(arc);
     float from = ew_skip_parts(0.0, first, last);
     int interval = 0;
     do {
