@@ -1,33 +1,38 @@
-# A ray past a torus: 1 / distance, its closed form, and the rest with the quadrature's nodes, found as glsl/rest.glsl finds them.
+# A ray past an arc: 1 / distance, its closed form, and the rest with the quadrature's nodes, found as glsl/rest.glsl finds them.
 # Run by make_figures.sh.
 beta = 1.
 epsilon = 0.003
 tolerance = 1e-3 # of the quality "1e-3"
 first_panel = 10.
-growth = 3.
+growth_of_panels = 3.
 
-# The ray is sqrt(from_axis2 + across2 x^2) from the torus's axis and height + climb x above its plane, x = s - s_axis.
-radius = 0.3
-s_axis = 0.5
-from_axis2 = 0.05 ** 2
-across2 = 0.6
-height = -0.1
-climb = -0.3
+# The ray L(s) = start + s direction, and the arc C(tau) = (slope tau, bend tau^2, 0), whose ends are nowhere nearest.
+array start[3] = [-0.35, -0.12, -0.42]
+array direction[3] = [0.6, 0.12, 0.9]
+slope = 0.6
+bend = 0.5
 
 max(a, b) = a > b ? a : b
 min(a, b) = a < b ? a : b
-distance2(x) = (sqrt(from_axis2 + across2 * x * x) - radius) ** 2 + (height + climb * x) ** 2
-field(s) = 1 / sqrt(max(distance2(s - s_axis), epsilon ** 2))
+place(s, i) = start[i] + s * direction[i]
+# The nearest point, equation (12), by Newton's method.
+left(s, tau) = 2 * bend ** 2 * tau ** 3 + (slope ** 2 - 2 * bend * place(s, 2)) * tau - slope * place(s, 1)
+growth(s, tau) = 6 * bend ** 2 * tau ** 2 + slope ** 2 - 2 * bend * place(s, 2)
+newton(s, tau, n) = n == 0 ? tau : newton(s, tau - left(s, tau) / growth(s, tau), n - 1)
+nearest(s) = newton(s, 0., 12)
+distance2_to(s, tau) = (place(s, 1) - slope * tau) ** 2 + (place(s, 2) - bend * tau ** 2) ** 2 + place(s, 3) ** 2
+distance2(s) = (tau = nearest(s), distance2_to(s, tau))
+field(s) = 1 / sqrt(max(distance2(s), epsilon ** 2))
 
-# The closest approach before the axis (side -1) or behind it (1), and the curvature of the squared distance there.
-k = across2 + climb * climb
-slope(x) = k * x + height * climb - radius * across2 * x / sqrt(from_axis2 + across2 * x * x)
-curvature(x) = k - radius * across2 * from_axis2 / (from_axis2 + across2 * x * x) ** 1.5
-newton(x, n) = n == 0 ? x : newton(x - slope(x) / curvature(x), n - 1)
-approach(side) = newton(-height * climb / k + side * radius * sqrt(across2) / k, 6)
-near = approach(-1)
-far = approach(1)
-model(s) = (x = s < s_axis ? near : far, 1 / sqrt(max(distance2(x) + curvature(x) * (s - s_axis - x) ** 2, epsilon ** 2)))
+# The closest approach, and half the second derivative of the squared distance there.
+step = 1e-4
+first_derivative(s) = (distance2(s + step) - distance2(s - step)) / (2 * step)
+second_derivative(s) = (distance2(s + step) - 2 * distance2(s) + distance2(s - step)) / step ** 2
+approach(s, n) = n == 0 ? s : approach(s - first_derivative(s) / second_derivative(s), n - 1)
+s0 = approach(0.45, 8)
+b2 = distance2(s0)
+k = second_derivative(s0) / 2
+model(s) = 1 / sqrt(max(b2 + k * (s - s0) ** 2, epsilon ** 2))
 rest(v) = field(1 / v - beta) - model(1 / v - beta)
 
 jacobi_nodes = "0.13975986 0.41640957 0.72315699 0.94289580"
@@ -39,39 +44,34 @@ difference(is_first, i) = real(word(is_first ? jacobi_differences : legendre_dif
 
 set print $nodes
 set print $panels append
-reciprocal = 0
-array stops[3] = [0., s_axis, 1.]
-array passings[2] = [s_axis + near, s_axis + far]
+array stops[2] = [0., 1.]
 count = 0
-do for [half = 1 : 2] {
-    v_center = 1 / (passings[half] + beta)
-    s_passing = passings[half] - s_axis
-    peak = first_panel * sqrt(max(distance2(s_passing), epsilon ** 2) / curvature(s_passing)) * v_center ** 2
-    # In place of the closed form, for the allowance.
-    length = 1 / (stops[half] + beta) - 1 / (stops[half + 1] + beta)
-    reciprocal = reciprocal + sum [i = 0 : 499] field(1 / (1 / (stops[half + 1] + beta) + (i + 0.5) / 500 * length) - beta) * length / 500
-    do for [side = 0 : 1] {
-        v = v_center
-        remaining = 1 / (stops[half + side] + beta) - v
-        is_first = 1
-        width = max(-peak, min(peak, remaining))
-        while (abs(remaining) > 1e-9) {
-            roughness = abs(sum [i = 1 : 4] difference(is_first, i) * rest(v + width * node(is_first, i))) \
-                + 0.06 * abs(rest(v + width * node(is_first, 1)) - rest(v + width * node(is_first, 2)) \
-                - rest(v + width * node(is_first, 3)) + rest(v + width * node(is_first, 4)))
-            count = count + 4
-            if (roughness * abs(width) <= tolerance * reciprocal) {
-                set print $nodes append
-                do for [i = 1 : 4] { print v + width * node(is_first, i) }
-                set print $panels append
-                print v + width
-                v = v + width
-                remaining = remaining - width
-                is_first = 0
-                width = abs(remaining) < 1.5 * growth * abs(width) ? remaining : growth * width
-            } else {
-                width = 0.4 * width
-            }
+v_center = 1 / (s0 + beta)
+peak = first_panel * sqrt(max(b2, epsilon ** 2) / k) * v_center ** 2
+# In place of the closed form, for the allowance.
+length = 1 / beta - 1 / (1 + beta)
+reciprocal = sum [i = 0 : 499] field(1 / (1 / (1 + beta) + (i + 0.5) / 500 * length) - beta) * length / 500
+do for [side = 1 : 2] {
+    v = v_center
+    remaining = 1 / (stops[side] + beta) - v
+    is_first = 1
+    width = max(-peak, min(peak, remaining))
+    while (abs(remaining) > 1e-9) {
+        roughness = abs(sum [i = 1 : 4] difference(is_first, i) * rest(v + width * node(is_first, i))) \
+            + (is_first ? 0.3 : 0.16) * abs(rest(v + width * node(is_first, 1)) - rest(v + width * node(is_first, 2)) \
+            - rest(v + width * node(is_first, 3)) + rest(v + width * node(is_first, 4)))
+        count = count + 4
+        if (roughness * abs(width) <= tolerance * reciprocal) {
+            set print $nodes append
+            do for [i = 1 : 4] { print v + width * node(is_first, i) }
+            set print $panels append
+            print v + width
+            v = v + width
+            remaining = remaining - width
+            is_first = 0
+            width = abs(remaining) < 1.5 * growth_of_panels * abs(width) ? remaining : growth_of_panels * width
+        } else {
+            width = 0.4 * width
         }
     }
 }
@@ -84,11 +84,11 @@ set samples 600
 set grid linecolor rgb "#dddddd"
 set xlabel "v = 1 / (s + beta)"
 set xrange [0.5 : 1]
-set title "1 / distance to a torus, and what has a closed form"
+set title "1 / distance to an arc, and what has a closed form"
 set key below samplen 2
 set lmargin 7
 plot field(1 / x - beta) title "1 / distance" linewidth 3 linecolor rgb "#80b0ff", \
-    model(1 / x - beta) title "closed form, one a half" linecolor rgb "#c03020"
+    model(1 / x - beta) title "closed form" linecolor rgb "#c03020"
 set title "the rest: ".count." evaluations"
 plot rest(x) title "1 / distance - closed form" linewidth 2 linecolor rgb "#2060c0", \
     $nodes using 1:(rest($1)) title "nodes" with points pointtype 7 pointsize 0.5 linecolor rgb "#c03020", \
