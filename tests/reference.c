@@ -254,6 +254,7 @@ typedef struct sample {
     double slope;    /* sign of the derivative of the distance by x, with what may be noise as 0 */
     double distance; /* not below epsilon */
     double value;    /* the integrand's */
+    double most;     /* what it would be with the source's largest weight */
     int label;       /* changes at every kink and jump */
 } sample;
 
@@ -264,16 +265,19 @@ static sample sample_integrand(const integrand *f, double x)
         point[i] = x * f->direction[i];
     nearest_point nearest = nearest_of_source(&f->source, point);
     bool inside_core = nearest.distance < f->epsilon;
-    double weight = 1;
+    double weight = 1, largest_weight = 1;
     int span = 0;
     if (f->source.kind == CURVE) {
         const ew_curve *curve = f->source.curve;
         double u = (nearest.t - curve->domain[0]) / (curve->domain[1] - curve->domain[0]);
         weight = reference_weight(curve->weights, curve->weight_count, u);
         span = weight_span(curve->weight_count, u);
+        for (size_t i = 0; i < curve->weight_count; i++)
+            largest_weight = i == 0 ? curve->weights[i] : fmax(largest_weight, curve->weights[i]);
     }
     double s_plus_beta = f->origin_s + x + f->beta;
     double distance = fmax(f->epsilon, nearest.distance);
+    double unweighted = f->source.coefficient / distance * f->alpha / (s_plus_beta * s_plus_beta);
     double slope = dot(f->direction, nearest.offset);
     double noise = 1e-9 * length(f->direction) * nearest.distance;
     return (sample){
@@ -282,7 +286,8 @@ static sample sample_integrand(const integrand *f, double x)
                  : slope < -noise ? -1
                                   : 0,
         .distance = distance,
-        .value = f->source.coefficient * weight / distance * f->alpha / (s_plus_beta * s_plus_beta),
+        .value = weight * unweighted,
+        .most = largest_weight * unweighted,
         .label = (span * 8 + (int)nearest.piece) * 2 + inside_core,
     };
 }
@@ -471,13 +476,13 @@ static void find_peaks(reference_workspace *workspace, integrand *f, double end)
 
 /* Adds a break point at every change of label between two samples. What a misplaced one costs is the product of its error
  * and the jump, or the product of its error's square and the change of slope: bisection ends soon for a kink, late for a jump.
- * `estimate` is about the integral's value. */
+ * Between two samples that are dark there may be light. `estimate` is about the integral's value. */
 static void find_changes(reference_workspace *workspace, const integrand *f, sample low, sample high, double end,
                          double estimate)
 {
     if (low.label == high.label) return;
     double width = high.x - low.x;
-    if ((width * fabs(high.value - low.value) <= 1e-13 * estimate && width * high.value <= 1e-7 * estimate) ||
+    if ((width * fabs(high.value - low.value) <= 1e-13 * estimate && width * high.most <= 1e-7 * estimate) ||
         width <= 1e-15 * end) {
         add_break_point(workspace, 0.5 * (low.x + high.x), end);
         return;

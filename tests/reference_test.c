@@ -477,6 +477,29 @@ static void random_curves_match_brute_force(void **state)
     }
 }
 
+/* Once overlooked: the one short stretch of a ray that sees the inside of an arc whose weights are 0 at both ends. The light is
+ * linear in the weights. */
+static void arcs_dark_at_both_ends_shine_in_between(void **state)
+{
+    (void)state;
+    static const double weights[3][3] = {{0, 1, 0}, {1, 1, 1}, {1, 0, 1}};
+    double luminance[3];
+    for (int i = 0; i < 3; i++) {
+        ew_curve curve = {.polynomial = {{0, 0, 0}, {0.01, -0.0995, 0}, {0, 0, 0.001}},
+                          .domain = {0, 1},
+                          .weights = weights[i],
+                          .weight_count = 3,
+                          .coefficient = 1};
+        ew_sources_desc sources = {.curves = &curve, .curve_count = 1, .epsilon = 1e-4};
+        reference_ray ray = {.start = {-300, 10, 0}, .end = {300, 10, 0}, .s_max = 1, .decay_alpha = 1, .decay_beta = 1};
+        reference_value value;
+        assert_true(reference_luminance(workspace, &sources, &ray, &value, NULL));
+        luminance[i] = value.luminance;
+    }
+    assert_true(luminance[0] > 0);
+    assert_true(fabs(luminance[0] - (luminance[1] - luminance[2])) < 1e-6 * luminance[0]);
+}
+
 static void random_tori_match_brute_force(void **state)
 {
     (void)state;
@@ -576,6 +599,7 @@ int main(void)
         cmocka_unit_test(distances_to_curves_match_brute_force),
         cmocka_unit_test(points_and_lines_match_their_closed_forms),
         cmocka_unit_test(random_curves_match_brute_force),
+        cmocka_unit_test(arcs_dark_at_both_ends_shine_in_between),
         cmocka_unit_test(random_tori_match_brute_force),
         cmocka_unit_test(hard_rays_match_brute_force),
         cmocka_unit_test(shares_add_up_in_the_order_of_the_kinds),
