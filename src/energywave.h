@@ -238,10 +238,9 @@ typedef enum ew_integrator {
 } ew_integrator;
 
 /* The relative error of B that EW_INTEGRATOR_ADAPTIVE works for, relative to max(B, 1e-3 of the image's largest B). It is
- * estimated, not bounded: with the default, 1E_3, most of the tests' scenes keep 1e-3 everywhere and 1e-4 on 99 % of the
- * pixels, and all but a few keep 1e-2; those few, arcs folded back sharply on themselves or far behind their centre of
- * curvature, are off by 2 % in single pixels. With weights that differ much between the arms of a folded arc, dark pixels may
- * be off further. Points and lines are exact but for rounding. */
+ * estimated, not bounded: with the default, 1E_3, all but a few of the tests' scenes keep 1e-3 everywhere and 1e-4 on 99 % of
+ * the pixels, and these keep 1e-2: rays through the middle of cores of a ten-millionth of the interval, and rings larger than
+ * the interval. Points and lines are exact but for rounding. */
 typedef enum ew_quality {
     EW_QUALITY_ERROR_1E_2,
     EW_QUALITY_ERROR_1E_3,
