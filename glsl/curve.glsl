@@ -99,15 +99,17 @@ ew_approaches ew_find_approaches(ew_arc arc)
     return ew_approaches(tau, along / ew_length_squared(arc.direction));
 }
 
-// Where the ray is to be divided: where the nearest point jumps, or nearly so, from one arm of the parabola to the other, and around
-// a sharp bend where the bend's centre of curvature is passed. Behind the ray if nowhere.
-vec2 ew_find_splits(ew_arc arc)
+// Where the ray is to be divided: where the nearest point jumps, or nearly so, from one arm of the parabola to the other; and around
+// a sharp bend where the bend's centre of curvature is passed, and at the planes of the ends, where one arm goes on beside the
+// other. Behind the ray if nowhere.
+vec4 ew_find_splits(ew_arc arc, ew_cell first, ew_cell last)
 {
     float vertex = ew_zero(arc.equation_start.y, arc.equation_growth.y);
     float bend = ew_zero(arc.equation_start.x, arc.equation_growth.x);
     bool is_jump = arc.equation_start.x + vertex * arc.equation_growth.x < 0.1 * arc.cubic;
     bool is_sharp = arc.has_arms && arc.slope_x < 0.1 * arc.bend;
-    return vec2(is_jump ? vertex : -1.0, is_sharp ? bend : -1.0);
+    vec2 planes = vec2(ew_zero(first.constant.x, first.constant.y), ew_zero(last.constant.x, last.constant.y));
+    return vec4(is_jump ? vertex : -1.0, is_sharp ? vec3(bend, planes) : vec3(-1.0));
 }
 
 // Which arm of the parabola is nearest in [from, to], on which neither an end is nor the nearest point jumps. The arms are two
@@ -115,9 +117,11 @@ vec2 ew_find_splits(ew_arc arc)
 float ew_nearest_arm(ew_arc arc, ew_cell first, ew_cell last, float from, float to)
 {
     if (!arc.has_vertex) return arc.arm;
+    // Folded back on itself, an arc is as long as its longer arm.
+    if (arc.slope_x == 0.0) return -arc.first > arc.last ? -1.0 : 1.0;
     float bend = clamp(ew_zero(arc.equation_start.x, arc.equation_growth.x), from, to);
-    float two_arms_from = arc.equation_growth.x < 0.0 ? bend : from;
-    float two_arms_to = arc.equation_growth.x < 0.0 ? to : bend;
+    float two_arms_from = arc.equation_start.x + from * arc.equation_growth.x < 0.0 ? from : bend;
+    float two_arms_to = arc.equation_start.x + to * arc.equation_growth.x < 0.0 ? to : bend;
     if (two_arms_to - two_arms_from <= 1e-6 * two_arms_to) return 0.0;
     float place = 0.5 * (two_arms_from + two_arms_to);
     vec2 equation = arc.equation_start + place * arc.equation_growth;
@@ -142,8 +146,8 @@ ew_passage ew_passage_of_arm(ew_arc arc, ew_approaches approaches, float middle)
     return ew_passage_at(arc, is_far ? clamp(tau, arc.first, arc.last) : tau, false, is_far);
 }
 
-// The most intervals of a ray: three beside the ends' parts, split twice.
-const int EW_MAX_INTERVALS = 6;
+// The most intervals of a ray: three beside the ends' parts, divided four times.
+const int EW_MAX_INTERVALS = 7;
 
 // The first place from `s` on that is in neither end's part.
 float ew_skip_parts(float s, vec2 first, vec2 last)
@@ -169,7 +173,7 @@ float ew_integrate_curve(ew_segment segment, ew_curve_block curve)
     float sum = ew_integrate_end(arc, arc.first, first) + ew_integrate_end(arc, arc.last, last);
 
     ew_approaches approaches = ew_find_approaches(arc);
-    vec2 splits = ew_find_splits(arc);
+    vec4 splits = ew_find_splits(arc, first_cell, last_cell);
     float from = ew_skip_parts(0.0, first, last);
     int interval = 0;
     do {
@@ -178,6 +182,8 @@ float ew_integrate_curve(ew_segment segment, ew_curve_block curve)
         if (last.x > from) to = min(to, last.x);
         if (splits.x > from * (1.0 + 1e-6)) to = min(to, splits.x);
         if (splits.y > from * (1.0 + 1e-6)) to = min(to, splits.y);
+        if (splits.z > from * (1.0 + 1e-6)) to = min(to, splits.z);
+        if (splits.w > from * (1.0 + 1e-6)) to = min(to, splits.w);
         float middle = 0.5 * (from + to);
 
         arc.arm = ew_nearest_arm(arc, first_cell, last_cell, from, to);
