@@ -108,8 +108,10 @@ vec4 ew_find_splits(ew_arc arc, ew_cell first, ew_cell last)
     float bend = ew_zero(arc.equation_start.x, arc.equation_growth.x);
     bool is_jump = arc.equation_start.x + vertex * arc.equation_growth.x < 0.1 * arc.cubic;
     bool is_sharp = arc.has_arms && arc.slope_x < 0.1 * arc.bend;
+    // As sudden is the way from the vertex to an arm for a ray that passes the vertex's centre of curvature closely.
+    bool is_close = arc.has_arms && abs(arc.equation_start.y + bend * arc.equation_growth.y) < 1e-3 * arc.cubic;
     vec2 planes = vec2(ew_zero(first.constant.x, first.constant.y), ew_zero(last.constant.x, last.constant.y));
-    return vec4(is_jump ? vertex : -1.0, is_sharp ? vec3(bend, planes) : vec3(-1.0));
+    return vec4(is_jump ? vertex : -1.0, is_sharp || is_close ? bend : -1.0, is_sharp ? planes : vec2(-1.0));
 }
 
 // Which arm of the parabola is nearest in [from, to], on which neither an end is nor the nearest point jumps. The arms are two
