@@ -142,7 +142,8 @@ ew_polynomial_curve ew_make_polynomial_curve(ew_curve_block block)
     return curve;
 }
 
-float ew_integrate_curve(ew_segment segment, ew_curve_block block)
+// (What `others` add makes no difference to this rule.)
+float ew_integrate_curve(ew_segment segment, ew_curve_block block, float others)
 {
     ew_polynomial_curve curve = ew_make_polynomial_curve(block);
     int divisions = ew_frame.simpson.x;
