@@ -160,8 +160,8 @@ float ew_skip_parts(float s, vec2 first, vec2 last)
     return s;
 }
 
-// How much the light of other sources counts beside the curve's own in what its error is compared with. All of it would be too much:
-// a panel that is fine beside much light may step over a narrow core.
+// How much the light of other sources counts beside the curve's own in what its error is compared with. All of it would be too
+// much: a panel that is fine beside much light may step over a narrow core.
 const float EW_OTHERS_PART = 0.1;
 
 // The integral over a segment. `others` is the light of other sources that is known to be added to it.
