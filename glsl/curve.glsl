@@ -164,7 +164,7 @@ float ew_skip_parts(float s, vec2 first, vec2 last)
 // much: a panel that is fine beside much light may step over a narrow core.
 const float EW_OTHERS_PART = 0.1;
 
-// The integral over a segment. `others` is the light of other sources that is known to be added to it.
+// The integral over a segment. `others`, >= 0 and in the same unit, is what other sources are known to add to it.
 float ew_integrate_curve(ew_segment segment, ew_curve_block curve, float others)
 {
     ew_arc arc = ew_make_arc(segment, curve);
@@ -199,7 +199,8 @@ float ew_integrate_curve(ew_segment segment, ew_curve_block curve, float others)
         bool is_fold = arc.has_vertex && arc.slope_x == 0.0 && arc.equation_start.x + middle * arc.equation_growth.x > 0.0;
         if (is_fold) passage = ew_passage_at(arc, 0.0, true, false);
         float reciprocal = ew_integrate_line_distance(passage.b2, passage.k, passage.s0, from, to);
-        float allowance = ew_frame.decay.z * (EW_OTHERS_PART * others + sum + max(passage.weight, 0.02 * arc.mean_weight) * reciprocal);
+        float light = sum + max(passage.weight, 0.02 * arc.mean_weight) * reciprocal;
+        float allowance = ew_frame.decay.z * (light + EW_OTHERS_PART * others);
         sum += passage.weight * reciprocal + ew_integrate_rest(arc, passage, from, to, allowance);
         from = ew_skip_parts(to, first, last);
     } while (from < segment.end && ++interval < EW_MAX_INTERVALS);

@@ -46,7 +46,7 @@ vec4 ew_integrate_all(ew_segment segment)
         int i = 0;
         do {
             ew_curve_block curve = ew_curve(i);
-            // In units of the curve's own coefficient, which may be 0.
+            // In the unit of the curve's integral: over its coefficient, which may be 0; so bounded that the quotient is finite.
             float others = min(sum.a, 1e6) / max(curve.origin.w, 1e-30);
             ew_add(curve.origin.w * ew_integrate_curve(segment, curve, others), curve.color.rgb, sum);
         } while (++i < EW_CURVE_COUNT);

@@ -142,7 +142,7 @@ ew_polynomial_curve ew_make_polynomial_curve(ew_curve_block block)
     return curve;
 }
 
-// (What `others` add makes no difference to this rule.)
+// `others` is for the adaptive integrator: equal divisions have no tolerance.
 float ew_integrate_curve(ew_segment segment, ew_curve_block block, float others)
 {
     ew_polynomial_curve curve = ew_make_polynomial_curve(block);
