@@ -84,7 +84,8 @@
 #define EW_GL_INDEXED_MASK_FUNCTIONS(X)                                                                                        \
     X(PFNGLCOLORMASKIPROC, ColorMaski)                                                                                         \
     X(PFNGLDISABLEIPROC, Disablei)                                                                                             \
-    X(PFNGLENABLEIPROC, Enablei)
+    X(PFNGLENABLEIPROC, Enablei)                                                                                               \
+    X(PFNGLISENABLEDIPROC, IsEnabledi)
 #define EW_GL_INDEXED_BLEND_FUNCTIONS(X)                                                                                       \
     X(PFNGLBLENDEQUATIONIPROC, BlendEquationi)                                                                                 \
     X(PFNGLBLENDEQUATIONSEPARATEIPROC, BlendEquationSeparatei)                                                                 \

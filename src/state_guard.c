@@ -91,8 +91,9 @@ ew_result ew_gl_save_state(const ew_gl *gl, ew_gl_state *state, ew_error *error)
     state->draw_buffer_count = 0;
     gl->GetFloatv(GL_VIEWPORT, state->viewport);
 
-    /* Of indexed state, the queries without an index return that of draw buffer 0. */
-    state->blend = gl->IsEnabled(GL_BLEND);
+    /* Of indexed state, the queries without an index return that of draw buffer 0. But to this one NVIDIA's driver says true
+     * where blending is on for another buffer alone, too. */
+    state->blend = gl->IsEnabledi ? gl->IsEnabledi(GL_BLEND, 0) : gl->IsEnabled(GL_BLEND);
     state->blend_source_rgb = (GLenum)get_integer(gl, GL_BLEND_SRC_RGB);
     state->blend_destination_rgb = (GLenum)get_integer(gl, GL_BLEND_DST_RGB);
     state->blend_source_alpha = (GLenum)get_integer(gl, GL_BLEND_SRC_ALPHA);
@@ -102,10 +103,11 @@ ew_result ew_gl_save_state(const ew_gl *gl, ew_gl_state *state, ew_error *error)
     gl->GetBooleanv(GL_COLOR_WRITEMASK, state->color_mask);
 
     if (gl->PolygonMode) {
-        GLint modes[2] = {GL_FILL, GL_FILL};
+        GLint modes[2];
         gl->GetIntegerv(GL_POLYGON_MODE, modes);
         state->polygon_mode[0] = (GLenum)modes[0];
-        state->polygon_mode[1] = (GLenum)modes[1];
+        /* Only the compatibility profile has one for each face; drivers for the core profile return one or two. */
+        state->polygon_mode[1] = (GLenum)modes[gl->compatibility ? 1 : 0];
     }
     if (gl->ClampColor) state->clamp_fragment_color = (GLenum)get_integer(gl, COMPATIBILITY_CLAMP_FRAGMENT_COLOR);
     if (gl->multisample) state->multisample = gl->IsEnabled(GL_MULTISAMPLE);
@@ -236,7 +238,7 @@ void ew_gl_restore_state(const ew_gl *gl, const ew_gl_state *state)
     if (gl->PolygonMode) {
         if (state->polygon_mode[0] == state->polygon_mode[1]) {
             gl->PolygonMode(GL_FRONT_AND_BACK, state->polygon_mode[0]);
-        } else { /* only the compatibility profile has two */
+        } else {
             gl->PolygonMode(GL_FRONT, state->polygon_mode[0]);
             gl->PolygonMode(GL_BACK, state->polygon_mode[1]);
         }

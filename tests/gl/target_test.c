@@ -173,7 +173,10 @@ static void check_dither(ew_encoding encoding, const canvas *to, double alpha)
     assert_memory_equal(dithered, again, sizeof again);
     for (int i = 0; i < VALUES; i++) {
         double value = encoded && i % 4 != 3 ? encode((double)exact[i]) : (double)exact[i];
-        assert_true(fabs((double)dithered[i] - value) <= (i % 4 == 3 ? 0.51 : 1.01) / 255);
+        double steps = fabs((double)dithered[i] - value) * 255;
+        if (steps > (i % 4 == 3 ? 0.51 : 1.01))
+            fail_msg("component %d is %.3f steps from %g, not dithered %.3f", i % 4, steps, value,
+                     fabs((double)plain[i] - value) * 255);
     }
     /* Rounding that went up or down by chance would leave a standard deviation of at most 0.5 steps a pixel; and of three,
      * hardly a block is beyond. */
