@@ -65,8 +65,10 @@ float ew_rough_cube_root(float x)
 float ew_distance_minimum(float cubic, float quadratic, float linear, float constant)
 {
     float third = ew_rough_cube_root(max(cubic * constant * constant, 1e-37));
-    float tau = linear > 0.0 ? constant * inversesqrt(linear * linear + third * third)
-                             : sqrt(max((constant >= 0.0 ? third : -1.26 * third) - linear, 0.0) / max(cubic, 1e-30));
+    // sqrt(excess / cubic) where the equation has three roots; one reciprocal root for both cases, and no branch between nodes.
+    float excess = max((constant >= 0.0 ? third : -1.26 * third) - linear, 0.0);
+    float tau = (linear > 0.0 ? constant : excess) *
+                inversesqrt(max(linear > 0.0 ? linear * linear + third * third : excess * cubic, 1e-37));
     for (int i = 0; i < 2; ++i) {
         float value = ((cubic * tau + quadratic) * tau + linear) * tau - constant;
         float slope = (3.0 * cubic * tau + 2.0 * quadratic) * tau + linear;

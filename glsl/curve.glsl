@@ -3,9 +3,9 @@
 // The part of the ray's [0, end] on which start + s growth >= 0; empty, x >= y, where there is none.
 vec2 ew_part_above_zero(float start, float growth, float end)
 {
-    if (growth == 0.0) return vec2(start >= 0.0 ? 0.0 : end, end);
-    float zero = clamp(-start / growth, 0.0, end);
-    return growth > 0.0 ? vec2(zero, end) : vec2(0.0, zero);
+    bool is_constant = growth == 0.0;
+    float zero = is_constant ? (start >= 0.0 ? 0.0 : end) : clamp(-start / growth, 0.0, end);
+    return is_constant || growth > 0.0 ? vec2(zero, end) : vec2(0.0, zero);
 }
 
 // Of an end of the arc and of the points at u in [0, 1] from there to the other end, which is nearest to the ray's place s? With
@@ -69,11 +69,17 @@ vec2 ew_part_of_cell(ew_arc arc, ew_cell cell, float end)
     vec2 plane = ew_part_above_zero(inside.x, inside.y, end);
     vec2 bisector = ew_part_above_zero(nearer.x, nearer.y, end);
     vec2 part = vec2(max(plane.x, bisector.x), min(plane.y, bisector.y));
-    for (int i = 0; i < 12; ++i) {
-        vec2 cut = vec2(max(part.x, ew_cut(arc, cell, part.x, 1.0, end)), min(part.y, ew_cut(arc, cell, part.y, -1.0, end)));
-        bool is_done = cut.x - part.x <= 1e-6 * cut.x && part.y - cut.y <= 1e-6 * part.y;
-        part = cut;
-        if (is_done || part.x >= part.y) break;
+    // Where h's derivative has no zero in u > 0 for either end of the part, h has its minimum at u = 0 all along.
+    vec2 linear = dot(cell.slope, cell.slope) + 2.0 * arc.bend * (cell.end.y - part * arc.direction.y);
+    float least = min(linear.x, linear.y);
+    bool is_growing = 3.0 * least >= 4.0 * cell.slope.y * cell.slope.y || (least >= 0.0 && cell.slope.y >= 0.0);
+    if (EW_IS_NEEDED(part.x < part.y && !is_growing)) {
+        for (int i = 0; i < 12; ++i) {
+            vec2 cut = vec2(max(part.x, ew_cut(arc, cell, part.x, 1.0, end)), min(part.y, ew_cut(arc, cell, part.y, -1.0, end)));
+            bool is_done = cut.x - part.x <= 1e-6 * cut.x && part.y - cut.y <= 1e-6 * part.y;
+            part = cut;
+            if (is_done || part.x >= part.y) break;
+        }
     }
     return part.x < part.y ? part : vec2(end);
 }
@@ -81,8 +87,12 @@ vec2 ew_part_of_cell(ew_arc arc, ew_cell cell, float end)
 // The integral over a part of the ray to which the point of the arc at `tau`, an end, is nearest.
 float ew_integrate_end(ew_arc arc, float tau, vec2 part)
 {
-    ew_passage passage = ew_passage_at(arc, tau, true, false);
-    return passage.weight * ew_integrate_line_distance(passage.b2, passage.k, passage.s0, part.x, part.y);
+    float sum = 0.0;
+    if (EW_IS_NEEDED(part.x < part.y)) {
+        ew_passage passage = ew_passage_at(arc, tau, true, false);
+        sum = passage.weight * ew_integrate_line_distance(passage.b2, passage.k, passage.s0, part.x, part.y);
+    }
+    return sum;
 }
 
 // Where a ray passes the arc, or its extension: the two closest approaches, which may be one.
@@ -118,21 +128,24 @@ vec4 ew_find_splits(ew_arc arc, ew_cell first, ew_cell last)
 // where equation.x < 0. There the side of the vertex decides, unless the arc has no minimum on that arm.
 float ew_nearest_arm(ew_arc arc, ew_cell first, ew_cell last, float from, float to)
 {
-    if (!arc.has_vertex) return arc.arm;
-    // Folded back on itself, an arc is as long as its longer arm.
-    if (arc.slope_x == 0.0) return -arc.first > arc.last ? -1.0 : 1.0;
-    float bend = clamp(ew_zero(arc.equation_start.x, arc.equation_growth.x), from, to);
-    float two_arms_from = arc.equation_start.x + from * arc.equation_growth.x < 0.0 ? from : bend;
-    float two_arms_to = arc.equation_start.x + to * arc.equation_growth.x < 0.0 ? to : bend;
-    if (two_arms_to - two_arms_from <= 1e-6 * two_arms_to) return 0.0;
-    float place = 0.5 * (two_arms_from + two_arms_to);
-    vec2 equation = arc.equation_start + place * arc.equation_growth;
-    // In a plane of symmetry rounding errors would choose.
-    vec3 size = abs(arc.start);
-    bool is_negative = equation.y < -1e-6 * arc.slope_x * (size.x + size.y + size.z);
-    vec2 excess = is_negative ? first.constant : last.constant;
-    bool is_lacking = excess.x + place * excess.y > 0.0;
-    return is_negative == is_lacking ? 1.0 : -1.0;
+    float arm = arc.arm;
+    if (arc.has_vertex) {
+        float bend = clamp(ew_zero(arc.equation_start.x, arc.equation_growth.x), from, to);
+        float two_arms_from = arc.equation_start.x + from * arc.equation_growth.x < 0.0 ? from : bend;
+        float two_arms_to = arc.equation_start.x + to * arc.equation_growth.x < 0.0 ? to : bend;
+        float place = 0.5 * (two_arms_from + two_arms_to);
+        vec2 equation = arc.equation_start + place * arc.equation_growth;
+        // In a plane of symmetry rounding errors would choose.
+        vec3 size = abs(arc.start);
+        bool is_negative = equation.y < -1e-6 * arc.slope_x * (size.x + size.y + size.z);
+        vec2 excess = is_negative ? first.constant : last.constant;
+        bool is_lacking = excess.x + place * excess.y > 0.0;
+        arm = is_negative == is_lacking ? 1.0 : -1.0;
+        if (two_arms_to - two_arms_from <= 1e-6 * two_arms_to) arm = 0.0;
+        // Folded back on itself, an arc is as long as its longer arm.
+        if (arc.slope_x == 0.0) arm = -arc.first > arc.last ? -1.0 : 1.0;
+    }
+    return arm;
 }
 
 // The passage for an interval around `middle` on which `arc.arm` is nearest: that by the nearer one of its closest approaches.

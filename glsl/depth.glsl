@@ -11,15 +11,14 @@
 // number. d_S and d_E come as sums of a float and its rounding error, since d may be close to them.
 float ew_parameter_of_depth(vec2 pixel, float depth)
 {
-    // A depth that is no number ends the ray at S. Its bits tell: compilers may take !(x > 0.0) for x <= 0.0.
-    if ((floatBitsToInt(depth) & 0x7fffffff) > 0x7f800000) return 0.0;
     vec4 start = ew_frame.depth_start;
     vec4 end = ew_frame.depth_end;
     float behind_start = ew_frame.depth_scale.x * ((depth - start.x) - (start.y + dot(start.zw, pixel)));
     float before_end = ew_frame.depth_scale.y * ((end.x - depth) + (end.y + dot(end.zw, pixel)));
-    if (behind_start <= 0.0) return 0.0;
-    if (before_end <= 0.0) return 1.0;
-    return behind_start / (behind_start + before_end);
+    // A depth that is no number ends the ray at S. Its bits tell: compilers may take !(x > 0.0) for x <= 0.0.
+    bool is_number = (floatBitsToInt(depth) & 0x7fffffff) <= 0x7f800000;
+    float inside = before_end > 0.0 ? behind_start / (behind_start + before_end) : 1.0;
+    return is_number && behind_start > 0.0 ? inside : 0.0;
 }
 
 #ifdef EW_DEPTH_MULTISAMPLE

@@ -4,7 +4,7 @@ void main()
 {
     vec2 corner = vec2(gl_VertexID & 1, gl_VertexID >> 1);
     gl_Position = vec4(2.0 * corner - 1.0, 0.0, 1.0);
-#ifdef EW_VARYINGS
+#ifdef EW_SOFTWARE
     ew_frame = ew_uniform_frame;
 #endif
 #ifdef EW_SOURCE_VARYINGS

@@ -51,7 +51,7 @@ float ew_integrate_line_distance(float b2, float k, float s0, float from, float 
     float core_to = clamp(s0 + half_core, from, to);
     if (core_from == core_to) core_from = core_to = to;
     float sum = (core_to - core_from) / (epsilon * (core_from + beta) * (core_to + beta));
-    sum += ew_integrate_reciprocal(b2, k, s0, from, core_from);
+    if (EW_IS_NEEDED(from < core_from)) sum += ew_integrate_reciprocal(b2, k, s0, from, core_from);
     if (core_to < to) sum += ew_integrate_reciprocal(b2, k, s0, core_to, to);
     return sum;
 }

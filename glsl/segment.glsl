@@ -7,6 +7,13 @@ struct ew_segment {
     float end;      // in [0, 1]
 };
 
+// Whether to do what only some pixels need. A software rasteriser does it for all in any case, and then masks it out.
+#ifdef EW_SOFTWARE
+#define EW_IS_NEEDED(condition) true
+#else
+#define EW_IS_NEEDED(condition) (condition)
+#endif
+
 // How many times the distance to a source was evaluated.
 int ew_evaluation_count = 0;
 

@@ -63,19 +63,21 @@ vec2 ew_ring_core(ew_ring_side side, float distance2_at_axis, float reach)
     vec2 room = vec2(-nearest, side.end - nearest);
     vec2 edges = clamp(vec2(-reach, reach), room.xx, room.yy);
     int steps = is_entered ? 4 : 1;
-    int i = 0;
-    do {
-        vec2 x = nearest + edges;
-        vec2 leaving = side.leaving + side.across2 * x;
-        vec2 from_axis = sqrt(side.from_axis2 + x * (side.leaving + leaving));
-        vec2 from_circle = from_axis - side.radius;
-        vec2 height = side.height + side.climb * x;
-        vec2 excess = (from_circle * from_circle + height * height - epsilon2) * from_axis;
-        vec2 slope = 2.0 * abs(from_circle * leaving + height * side.climb * from_axis);
-        vec2 from_nearest = abs(edges);
-        from_nearest -= clamp(excess / max(slope, 1e-30), -from_nearest, 0.75 * from_nearest);
-        edges = clamp(vec2(-1.0, 1.0) * from_nearest, room.xx, room.yy);
-    } while (++i < steps);
+    if (EW_IS_NEEDED(is_entered)) {
+        int i = 0;
+        do {
+            vec2 x = nearest + edges;
+            vec2 leaving = side.leaving + side.across2 * x;
+            vec2 from_axis = sqrt(side.from_axis2 + x * (side.leaving + leaving));
+            vec2 from_circle = from_axis - side.radius;
+            vec2 height = side.height + side.climb * x;
+            vec2 excess = (from_circle * from_circle + height * height - epsilon2) * from_axis;
+            vec2 slope = 2.0 * abs(from_circle * leaving + height * side.climb * from_axis);
+            vec2 from_nearest = abs(edges);
+            from_nearest -= clamp(excess / max(slope, 1e-30), -from_nearest, 0.75 * from_nearest);
+            edges = clamp(vec2(-1.0, 1.0) * from_nearest, room.xx, room.yy);
+        } while (++i < steps);
+    }
     return is_entered ? nearest + edges : vec2(side.end);
 }
 

@@ -129,6 +129,7 @@ typedef struct ew_gl {
     bool es;                      /* OpenGL ES: shaders start with "#version 300 es", else with "#version 330 core" */
     bool compatibility;           /* the compatibility profile */
     int version;                  /* 10 * major + minor */
+    bool software;                /* drawn by the processor */
     bool parallel_shader_compile; /* the driver can be asked whether a program is complete */
     GLint max_uniform_block_size;
     GLint max_varying_vectors; /* between a vertex and a fragment shader, gl_Position not counted */

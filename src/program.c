@@ -204,12 +204,12 @@ static int source_varyings(const ew_gl *gl, unsigned key)
 
 /* The defines that both stages of a program share beside write_defines: see glsl/blocks.glsl. The published method, kept as a
  * baseline, reads its sources from the uniform block, as published. */
-static void write_varying_defines(char header[MAX_HEADER_LENGTH], const ew_gl *gl, unsigned key)
+static void write_software_defines(char header[MAX_HEADER_LENGTH], const ew_gl *gl, unsigned key)
 {
     int size = source_varyings(gl, key);
     header[0] = '\0';
-    if (is_simpson(key)) return;
-    int used = snprintf(header, MAX_HEADER_LENGTH, "#define EW_VARYINGS\n");
+    if (is_simpson(key) || !gl->software) return;
+    int used = snprintf(header, MAX_HEADER_LENGTH, "#define EW_SOFTWARE\n");
     if (size > 0) snprintf(header + used, MAX_HEADER_LENGTH - (size_t)used, "#define EW_SOURCE_VARYINGS %d\n", size);
 }
 
@@ -225,13 +225,13 @@ static GLuint compile(const ew_gl *gl, GLenum stage, int count, const char *cons
 
 static GLuint compile_vertex_shader(const ew_gl *gl, size_t capacity, unsigned key)
 {
-    char defines[MAX_HEADER_LENGTH], varying_defines[MAX_HEADER_LENGTH];
+    char defines[MAX_HEADER_LENGTH], software_defines[MAX_HEADER_LENGTH];
     write_defines(defines, capacity, key);
-    write_varying_defines(varying_defines, gl, key);
+    write_software_defines(software_defines, gl, key);
     const char *strings[] = {version_of(gl, key),
                              gl->es ? "precision highp float;\nprecision highp int;\n" : "",
                              defines,
-                             varying_defines,
+                             software_defines,
                              "#define EW_VERTEX_STAGE\n#line 1 0\n",
                              ew_glsl_layout_glsl,
                              "#line 1 1\n",
@@ -243,16 +243,16 @@ static GLuint compile_vertex_shader(const ew_gl *gl, size_t capacity, unsigned k
 
 static GLuint compile_fragment_shader(const ew_gl *gl, size_t capacity, unsigned key)
 {
-    char defines[MAX_HEADER_LENGTH], varying_defines[MAX_HEADER_LENGTH];
+    char defines[MAX_HEADER_LENGTH], software_defines[MAX_HEADER_LENGTH];
     char lines[FILE_COUNT][24];
     const char *strings[4 + 2 * FILE_COUNT];
     int count = 0;
     write_defines(defines, capacity, key);
-    write_varying_defines(varying_defines, gl, key);
+    write_software_defines(software_defines, gl, key);
     strings[count++] = version_of(gl, key);
     strings[count++] = precision_of(gl, key);
     strings[count++] = defines;
-    strings[count++] = varying_defines;
+    strings[count++] = software_defines;
     for (int i = 0; i < FILE_COUNT; ++i) {
         const shader_file *file = i < LIGHT_FILE_COUNT ? &light_files[i] : &picture_files[i - LIGHT_FILE_COUNT];
         if (!file->is_needed(key)) continue;

@@ -11,6 +11,7 @@
 
 static struct fake_context {
     const char *version; /* NULL: no context is current */
+    const char *renderer;
     const char *extensions[4];
     GLint profile;
     const char *absent[4]; /* what the loader does not know */
@@ -19,7 +20,7 @@ static struct fake_context {
 
 static const GLubyte *fake_get_string(GLenum name)
 {
-    return name == GL_VERSION ? (const GLubyte *)fake.version : NULL;
+    return name == GL_VERSION ? (const GLubyte *)fake.version : name == GL_RENDERER ? (const GLubyte *)fake.renderer : NULL;
 }
 
 static const GLubyte *fake_get_string_i(GLenum name, GLuint index)
@@ -135,6 +136,30 @@ static void versions_and_profiles_are_told_apart(void **state)
         assert_int_equal(gl.max_varying_vectors, 14); /* the lesser of both, without the position */
         assert_int_equal(gl.max_draw_buffers, 8);
         assert_int_equal(error.code, EW_OK);
+    }
+}
+
+static void software_is_told_from_hardware(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *renderer;
+        bool software;
+    } cases[] = {
+        {"llvmpipe (LLVM 15.0.6, 256 bits)", true},
+        {"softpipe", true},
+        {"Google SwiftShader", true},
+        {"ANGLE (Google, Vulkan 1.3.0 (SwiftShader Device (Subzero) (0x0000C0DE)), SwiftShader driver)", true},
+        {"Mesa DRI Intel(R) HD Graphics 4000 (IVB GT2)", false},
+        {"AMD Radeon RX 6600 (radeonsi, navi23, LLVM 15.0.6, DRM 3.49)", false},
+        {"NVIDIA H200/PCIe/SSE2", false},
+        {NULL, false},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        fake = (struct fake_context){
+            .version = "4.5 (Core Profile)", .profile = GL_CONTEXT_CORE_PROFILE_BIT, .renderer = cases[i].renderer};
+        assert_int_equal(load(), EW_OK);
+        assert_int_equal(gl.software, cases[i].software);
     }
 }
 
@@ -271,6 +296,7 @@ int main(void)
         cmocka_unit_test(old_versions_are_named),
         cmocka_unit_test(an_old_context_is_blamed_before_the_functions_that_it_lacks),
         cmocka_unit_test(versions_and_profiles_are_told_apart),
+        cmocka_unit_test(software_is_told_from_hardware),
         cmocka_unit_test(missing_functions_are_named),
         cmocka_unit_test(a_loader_that_knows_nothing_is_an_error),
         cmocka_unit_test(functions_that_the_version_promises_are_needed),

@@ -169,15 +169,21 @@ int main(int argc, char **argv)
         .GetUniformLocation = no_uniform,
     };
     /* The capacities of the smallest uniform blocks that GL allows and of the largest in use, likewise the varyings: all few
-     * sources fit between the stages, or not even a curve; the profiles' least versions. */
+     * sources fit between the stages, or not even a curve; the profiles' least versions; hardware and software. */
     size_t smallest = ew_scene_capacity(16384), largest = ew_scene_capacity(65536);
     profile = "330";
-    gl.max_varying_vectors = 31;
     write_permutations(&gl, largest);
     write_includes(largest, "#version 330\n");
-    profile = "300es";
+    gl.software = true;
+    profile = "330-software";
+    gl.max_varying_vectors = 31;
+    write_permutations(&gl, largest);
+    profile = "300es-software";
     gl.es = true;
     gl.max_varying_vectors = 16;
+    write_permutations(&gl, smallest);
+    gl.software = false;
+    profile = "300es";
     write_permutations(&gl, smallest);
     write_includes(smallest, "#version 300 es\n");
     return EXIT_SUCCESS;

@@ -7,7 +7,8 @@ if ! command -v glslangValidator > /dev/null; then
 fi
 rm -rf shaders && mkdir shaders || exit 1
 "$1" shaders || exit 1
-grep -q '#define EW_SOURCE_VARYINGS' shaders/330-*.vert && grep -q '#define EW_SOURCE_VARYINGS' shaders/300es-*.frag || exit 1
+grep -q '#define EW_SOURCE_VARYINGS' shaders/330-software-*.vert || exit 1
+grep -q '#define EW_SOURCE_VARYINGS' shaders/300es-software-*.frag || exit 1
 # The compiler names each file that it takes; whatever else it says is a fault.
 find shaders -type f | sort > files
 echo "$(wc -l < files) shaders"
