@@ -53,6 +53,17 @@ ew_arc ew_make_arc(ew_segment segment, ew_curve_block curve)
     return arc;
 }
 
+// A step of Halley's method towards a zero of ((cubic tau + quadratic) tau + linear) tau - constant.
+float ew_step_to_minimum(float cubic, float quadratic, float linear, float constant, float tau)
+{
+    float cubic3 = 3.0 * cubic;
+    float value = ((cubic * tau + quadratic) * tau + linear) * tau - constant;
+    float slope = (cubic3 * tau + 2.0 * quadratic) * tau + linear;
+    float slope2 = slope * slope + 1e-37;
+    // No more than two steps of Newton's method: where the quadratic term is not 0, the start may be anywhere.
+    return tau - value * slope / max(slope2 - value * (cubic3 * tau + quadratic), 0.5 * slope2);
+}
+
 // The cube root of x > 0 within 4 %: a float's bits are nearly its logarithm.
 float ew_rough_cube_root(float x)
 {
@@ -60,34 +71,29 @@ float ew_rough_cube_root(float x)
 }
 
 // A root tau of cubic tau^3 + quadratic tau^2 + linear tau = constant at which the left side grows, so that a distance has its
-// minimum there: the only one for linear >= 0, and the largest for linear < 0. cubic >= 0. For quadratic = 0 (a vertex at
-// tau = 0) the start is within 10 %; each step of Halley's method cubes that.
-float ew_distance_minimum(float cubic, float quadratic, float linear, float constant)
+// minimum there: the only one for linear > 0, and for linear <= 0 the outermost on the side of `arm`, 1 or -1. cubic >= 0. For
+// quadratic = 0 (a vertex at tau = 0) the start is within 11 %; each step of Halley's method cubes that.
+float ew_distance_minimum(float cubic, float quadratic, float linear, float constant, float arm)
 {
     float third = ew_rough_cube_root(max(cubic * constant * constant, 1e-37));
-    // sqrt(excess / cubic) where the equation has three roots; one reciprocal root for both cases, and no branch between nodes.
-    float excess = max((constant >= 0.0 ? third : -1.26 * third) - linear, 0.0);
-    float tau = (linear > 0.0 ? constant : excess) *
-                inversesqrt(max(linear > 0.0 ? linear * linear + third * third : excess * cubic, 1e-37));
-    for (int i = 0; i < 2; ++i) {
-        float value = ((cubic * tau + quadratic) * tau + linear) * tau - constant;
-        float slope = (3.0 * cubic * tau + 2.0 * quadratic) * tau + linear;
-        float curvature = 3.0 * cubic * tau + quadratic;
-        // No more than two steps of Newton's method: where the quadratic term is not 0, the start may be anywhere.
-        tau -= value * slope / max(slope * slope - value * curvature, 0.5 * slope * slope + 1e-37);
-    }
-    return tau;
+    float excess = max((arm * constant >= 0.0 ? third : -1.26 * third) - linear, 0.0);
+    // constant / sqrt(linear^2 + third^2), or arm sqrt(excess / cubic): one reciprocal root for both, and no branch between nodes.
+    bool is_only = linear > 0.0;
+    float tau = (is_only ? constant : arm * excess) *
+                inversesqrt(max(is_only ? linear * linear + third * third : excess * cubic, 1e-37));
+    tau = ew_step_to_minimum(cubic, quadratic, linear, constant, tau);
+    return ew_step_to_minimum(cubic, quadratic, linear, constant, tau);
 }
 
-// Both such roots: x is the one of the sign of `constant`, y the other, or x again where there is none. For quadratic = 0, x is the
+// Both such roots: x is the one on the side of `constant`, y the other, or x again where there is none. For quadratic = 0, x is the
 // nearest point of the whole parabola.
 vec2 ew_distance_minima(float cubic, float quadratic, float linear, float constant)
 {
     float side = constant < 0.0 ? -1.0 : 1.0;
-    float tau = ew_distance_minimum(cubic, side * quadratic, linear, abs(constant));
+    float tau = ew_distance_minimum(cubic, quadratic, linear, constant, side);
     float discriminant = -3.0 * cubic * tau * tau - 4.0 * linear;
-    float other = discriminant > 0.0 ? -0.5 * (tau + sqrt(discriminant / max(cubic, 1e-30))) : tau;
-    return side * vec2(tau, other);
+    float other = discriminant > 0.0 ? -0.5 * (tau + side * sqrt(discriminant / max(cubic, 1e-30))) : tau;
+    return vec2(tau, other);
 }
 
 // The squared distance from the arc at `tau`, clamped to its ends, to the place `position` in its frame.
@@ -102,7 +108,7 @@ float ew_tau_on_arm(ew_arc arc, float s)
 {
     vec2 equation = arc.equation_start + s * arc.equation_growth;
     float arm = arc.arm != 0.0 ? arc.arm : equation.y < 0.0 ? -1.0 : 1.0;
-    float tau = arm * ew_distance_minimum(arc.cubic, arm * arc.quadratic, equation.x, arm * equation.y);
+    float tau = ew_distance_minimum(arc.cubic, arc.quadratic, equation.x, equation.y, arm);
     return clamp(tau, arc.first, arc.last);
 }
 

@@ -14,13 +14,11 @@ const float EW_KINK = 6.0;
 // and how much, for arcs with weights, the second difference of the nearest point's place.
 const float EW_PLACE_PART = 0.35;
 
-// 1 / max(epsilon, d) of the arc at s = center + offset: x; of the passage: y; the nearest point: z.
-vec3 ew_reciprocals(ew_arc arc, ew_passage passage, float center, float offset)
+// 1 / max(epsilon, d) of the arc at s: x; of the passage: y; the nearest point: z.
+vec3 ew_reciprocals(ew_arc arc, ew_passage passage, float epsilon2, float s)
 {
-    float s = center + offset;
     float tau = ew_tau_on_arm(arc, s);
-    float epsilon2 = ew_square(ew_frame.decay.y);
-    float model = passage.b2 + passage.k * ew_square(center - passage.s0 + offset);
+    float model = passage.b2 + passage.k * ew_square(s - passage.s0);
     float distance_squared = ew_arc_distance_squared(arc, arc.start + s * arc.direction, tau);
     ew_evaluation_count += 1;
     return vec3(inversesqrt(max(distance_squared, epsilon2)), inversesqrt(max(model, epsilon2)), tau);
@@ -44,18 +42,19 @@ float ew_next_knot(ew_arc arc, float piece, float last_piece)
 {
     float tau = arc.first + (piece + (last_piece > piece ? 1.0 : 0.0)) / max(arc.weights.y, 1.0);
     float left = ((arc.cubic * tau + arc.quadratic) * tau + arc.equation_start.x) * tau - arc.equation_start.y;
-    return max(ew_zero(left, arc.equation_growth.x * tau - arc.equation_growth.y), 0.0);
+    return ew_zero(left, arc.equation_growth.x * tau - arc.equation_growth.y);
 }
 #endif
 
-// What the passage leaves of weight / max(epsilon, distance), at s = center + offset; `piece` is the weight piece there, and
-// `curvature` how far from straight lines all is that this consists of.
-vec4 ew_rest_at(ew_arc arc, ew_passage passage, float center, vec4 offset, float piece, out float curvature)
+// What the passage leaves of weight / max(epsilon, distance), at four s; `piece` is the weight piece there, and `curvature` how far
+// from straight lines all is that this consists of.
+vec4 ew_rest_at(ew_arc arc, ew_passage passage, vec4 s, float piece, out float curvature)
 {
-    vec3 at_x = ew_reciprocals(arc, passage, center, offset.x);
-    vec3 at_y = ew_reciprocals(arc, passage, center, offset.y);
-    vec3 at_z = ew_reciprocals(arc, passage, center, offset.z);
-    vec3 at_w = ew_reciprocals(arc, passage, center, offset.w);
+    float epsilon2 = ew_square(ew_frame.decay.y);
+    vec3 at_x = ew_reciprocals(arc, passage, epsilon2, s.x);
+    vec3 at_y = ew_reciprocals(arc, passage, epsilon2, s.y);
+    vec3 at_z = ew_reciprocals(arc, passage, epsilon2, s.z);
+    vec3 at_w = ew_reciprocals(arc, passage, epsilon2, s.w);
     vec4 source = vec4(at_x.x, at_y.x, at_z.x, at_w.x);
     vec4 model = vec4(at_x.y, at_y.y, at_z.y, at_w.y);
     vec4 rest = source - model;
@@ -85,13 +84,17 @@ vec4 ew_rest_at(ew_arc arc, ew_passage passage, float center, vec4 offset, float
 // shortened until its values lie on a parabola, up to `allowance`. Next to the passage the rest starts at 0, and a Gauss-Jacobi
 // rule for x f(x) is exact for one power more. Between two knots the weight is one polynomial, and no panel crosses a knot.
 //
-// Places are counted from the passage: x is v minus its v there, and s its s plus an offset. From the eye, an arc that is small
-// and far away would be a matter of the last digits.
+// Places are counted from the passage: x is v minus its v there, and the arc and the passage are seen from its s, `center`. From the
+// eye, an arc that is small and far away would be a matter of the last digits.
 float ew_integrate_rest(ew_arc arc, ew_passage passage, float from, float to, float allowance)
 {
     float beta = ew_frame.decay.x;
     float epsilon2 = ew_square(ew_frame.decay.y);
     float center = clamp(passage.s0, from, to);
+    arc.start += center * arc.direction;
+    arc.equation_start += center * arc.equation_growth;
+    bool is_inside = passage.is_touching && passage.s0 > from && passage.s0 < to;
+    passage.s0 -= center;
     float depth = center + beta;
     float depth2 = depth * depth;
     float x_from = (center - from) / ((from + beta) * depth);
@@ -108,7 +111,6 @@ float ew_integrate_rest(ew_arc arc, ew_passage passage, float from, float to, fl
     bool is_wide = peak >= 8.0 * (x_from - x_to) && (!passes_core || half_core > x_from - x_to);
     bool has_near_side = x_from > 0.0;
     bool is_last_side = is_wide || !has_near_side || x_to == 0.0;
-    bool is_inside = passage.is_touching && passage.s0 > from && passage.s0 < to;
     bool starts_at_zero = is_inside && !is_wide;
     float x = is_wide ? x_to : 0.0;
     float remaining = (has_near_side || is_wide ? x_from : x_to) - x;
@@ -116,9 +118,9 @@ float ew_integrate_rest(ew_arc arc, ew_passage passage, float from, float to, fl
     float piece = 0.0;
 #ifdef EW_WEIGHTS
     // The nearest point moves along its arm one way.
-    float from_piece = ew_piece_at(arc, ew_tau_on_arm(arc, from));
-    float to_piece = ew_piece_at(arc, ew_tau_on_arm(arc, to));
-    float center_piece = ew_piece_at(arc, ew_tau_on_arm(arc, center));
+    float from_piece = ew_piece_at(arc, ew_tau_on_arm(arc, from - center));
+    float to_piece = ew_piece_at(arc, ew_tau_on_arm(arc, to - center));
+    float center_piece = ew_piece_at(arc, ew_tau_on_arm(arc, 0.0));
     float last_piece = has_near_side || is_wide ? from_piece : to_piece;
     piece = is_wide ? to_piece : center_piece;
 #endif
@@ -127,23 +129,26 @@ float ew_integrate_rest(ew_arc arc, ew_passage passage, float from, float to, fl
         bool is_last_try = panel > EW_MAX_PANELS - 6;
         float width = reach;
 #ifdef EW_WEIGHTS
-        float knot = ew_next_knot(arc, piece, last_piece);
-        float to_knot = (center - knot) / ((knot + beta) * depth) - x;
+        float knot = max(ew_next_knot(arc, piece, last_piece), -center);
+        float to_knot = -knot / ((knot + depth) * depth) - x;
         to_knot = remaining >= 0.0 ? clamp(to_knot, 0.0, remaining) : clamp(to_knot, remaining, 0.0);
         bool is_at_knot = piece != last_piece && abs(to_knot) <= abs(reach) && !is_last_try;
         width = is_at_knot ? to_knot : reach;
 #endif
-        vec4 nodes = starts_at_zero ? vec4(0.13975986, 0.41640957, 0.72315699, 0.94289580)
-                                    : vec4(0.06943184, 0.33000948, 0.66999052, 0.93056816);
-        vec4 weights = starts_at_zero ? vec4(0.22310390, 0.31182653, 0.28135601, 0.14371356)
-                                      : vec4(0.17392742, 0.32607258, 0.32607258, 0.17392742);
+        vec4 nodes = vec4(0.06943184, 0.33000948, 0.66999052, 0.93056816);
+        vec4 weights = vec4(0.17392742, 0.32607258, 0.32607258, 0.17392742);
         // The third divided difference of rest, or of rest / x, over 32: how far a cubic would be from all parabolas.
-        vec4 differences = starts_at_zero ? vec4(-1.7249797, 1.6796979, -1.0989184, 0.3567003)
-                                          : vec4(-0.2318919, 0.5873578, -0.5873578, 0.2318919);
+        vec4 differences = vec4(-0.2318919, 0.5873578, -0.5873578, 0.2318919);
+        float part = EW_CURVATURE_PART;
+        if (starts_at_zero) {
+            nodes = vec4(0.13975986, 0.41640957, 0.72315699, 0.94289580);
+            weights = vec4(0.22310390, 0.31182653, 0.28135601, 0.14371356);
+            differences = vec4(-1.7249797, 1.6796979, -1.0989184, 0.3567003);
+            part = EW_CURVATURE_PART_AT_PEAK;
+        }
         vec4 x_at_nodes = x + width * nodes;
         float curvature;
-        vec4 rest = ew_rest_at(arc, passage, center, -depth2 * x_at_nodes / (1.0 + depth * x_at_nodes), piece, curvature);
-        float part = starts_at_zero ? EW_CURVATURE_PART_AT_PEAK : EW_CURVATURE_PART;
+        vec4 rest = ew_rest_at(arc, passage, -depth2 * x_at_nodes / (1.0 + depth * x_at_nodes), piece, curvature);
         float error = (abs(dot(rest, differences)) + part * curvature) * abs(width);
         // Shorter panels than places have digits for would only add up noise.
         bool is_fine = error <= allowance || is_last_try || abs(width) * depth2 < 1e-6 * center;
