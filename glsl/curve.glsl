@@ -69,11 +69,12 @@ vec2 ew_part_of_cell(ew_arc arc, ew_cell cell, float end)
     vec2 plane = ew_part_above_zero(inside.x, inside.y, end);
     vec2 bisector = ew_part_above_zero(nearer.x, nearer.y, end);
     vec2 part = vec2(max(plane.x, bisector.x), min(plane.y, bisector.y));
-    // Where (h - constant) / u, a quadratic, has no zero in u > 0 for either end of the part, it has none in between: h >= 0.
+    // h is u q(u) + constant, with a parabola q whose vertex is at u = -slope.y / bend. If that is at 1 or beyond, q is no less than at
+    // 1, and h no less than a mean of its values at 0 and 1. Nor is h negative where q is not: at both ends, and so in between.
     vec2 linear = dot(cell.slope, cell.slope) + 2.0 * arc.bend * (cell.end.y - part * arc.direction.y);
-    float least = min(linear.x, linear.y);
-    bool is_bounded = least >= cell.slope.y * cell.slope.y || (least >= 0.0 && cell.slope.y >= 0.0);
-    if (EW_IS_NEEDED(part.x < part.y && !is_bounded)) {
+    float least_q = min(linear.x, linear.y) - ew_square(min(cell.slope.y, 0.0));
+    bool is_settled = part.x >= part.y || -cell.slope.y >= 0.999 * arc.bend || least_q >= 0.0;
+    if (EW_IS_NEEDED(!is_settled)) {
         for (int i = 0; i < 12; ++i) {
             vec2 cut = vec2(max(part.x, ew_cut(arc, cell, part.x, 1.0, end)), min(part.y, ew_cut(arc, cell, part.y, -1.0, end)));
             bool is_done = cut.x - part.x <= 1e-6 * cut.x && part.y - cut.y <= 1e-6 * part.y;
