@@ -157,9 +157,11 @@ done
 ulimit -S -f "$limit"
 trap - XFSZ
 
-# ---- No GL: no EGL implementation for the loader to find, or one that finds no driver
-export LIBGL_DRIVERS_PATH=/nonexistent
-refuses '--backend egl' scene.json -o out/picture.png --backend egl --size 16x9
+# ---- No GL: an EGL implementation that finds no driver, which Mesa's alone can be made to be, or none for the loader to find
+if "$ew_render" scene.json -o picture.png --backend egl --size 16x9 2> stderr | grep -q Mesa; then
+    export LIBGL_DRIVERS_PATH=/nonexistent
+    refuses '--backend egl' scene.json -o out/picture.png --backend egl --size 16x9
+fi
 export __EGL_VENDOR_LIBRARY_FILENAMES=/nonexistent
 refuses '--backend egl' scene.json -o out/picture.png --backend egl --size 16x9
 
