@@ -69,11 +69,11 @@ vec2 ew_part_of_cell(ew_arc arc, ew_cell cell, float end)
     vec2 plane = ew_part_above_zero(inside.x, inside.y, end);
     vec2 bisector = ew_part_above_zero(nearer.x, nearer.y, end);
     vec2 part = vec2(max(plane.x, bisector.x), min(plane.y, bisector.y));
-    // h is u q(u) + constant, with a parabola q whose vertex is at u = -slope.y / bend. If that is at 1 or beyond, q is no less than at
-    // 1, and h no less than a mean of its values at 0 and 1. Nor is h negative where q is not: at both ends, and so in between.
-    vec2 linear = dot(cell.slope, cell.slope) + 2.0 * arc.bend * (cell.end.y - part * arc.direction.y);
-    float least_q = min(linear.x, linear.y) - ew_square(min(cell.slope.y, 0.0));
-    bool is_settled = part.x >= part.y || -cell.slope.y >= 0.999 * arc.bend || least_q >= 0.0;
+    // h is u q(u) + constant, with a parabola q whose vertex is at u = -slope.y / bend. If that is at 1 or beyond, q is no less
+    // than at 1, and h no less than a mean of its values at 0 and 1. (Of a symmetric arc it is at 1 but for rounding.) Nor is h
+    // negative where q is not: for both ends of the part, and so in between.
+    vec2 least_q = ew_square(cell.slope.x) + ew_square(max(cell.slope.y, 0.0)) + 2.0 * arc.bend * (cell.end.y - part * arc.direction.y);
+    bool is_settled = part.x >= part.y || -cell.slope.y >= 0.999999 * arc.bend || min(least_q.x, least_q.y) >= 0.0;
     if (EW_IS_NEEDED(!is_settled)) {
         for (int i = 0; i < 12; ++i) {
             vec2 cut = vec2(max(part.x, ew_cut(arc, cell, part.x, 1.0, end)), min(part.y, ew_cut(arc, cell, part.y, -1.0, end)));
