@@ -144,7 +144,7 @@ static void find_unwanted_capabilities(ew_gl *gl)
         gl->unwanted_capabilities[gl->unwanted_capability_count++] = GL_CLIP_DISTANCE0 + (GLenum)i;
 }
 
-static bool is_software(const char *renderer)
+bool ew_gl_is_software(const char *renderer)
 {
     static const char *const names[] = {"llvmpipe", "softpipe", "swrast", "Software", "SwiftShader", "Microsoft Basic Render"};
     for (size_t i = 0; renderer && i < sizeof names / sizeof names[0]; i++)
@@ -197,7 +197,7 @@ ew_result ew_gl_load(ew_gl *gl, ew_gl_function (*get_proc_address)(void *user, c
     gl->GetIntegerv(GL_MAX_FRAGMENT_INPUT_COMPONENTS, &inputs);
     gl->max_varying_vectors = (outputs < inputs ? outputs : inputs) / 4 - 1;
     gl->GetIntegerv(GL_MAX_DRAW_BUFFERS, &gl->max_draw_buffers);
-    gl->software = is_software((const char *)gl->GetString(GL_RENDERER));
+    gl->software = ew_gl_is_software((const char *)gl->GetString(GL_RENDERER));
     gl->framebuffer_srgb = !gl->es || has_extension(gl, "GL_EXT_sRGB_write_control");
     gl->multisample = !gl->es || has_extension(gl, "GL_EXT_multisample_compatibility");
     gl->stencil_texturing = gl->version >= (gl->es ? 31 : 43) || has_extension(gl, "GL_ARB_stencil_texturing");

@@ -143,6 +143,9 @@ typedef struct ew_gl {
     int unwanted_capability_count;
 } ew_gl;
 
+/* Whether a GL_RENDERER, which may be NULL, is drawn by the processor. */
+bool ew_gl_is_software(const char *renderer);
+
 /* Looks up the functions of the current context and what it can do.
  *
  * Errors: MISSING_FUNCTION (names them), UNSUPPORTED_CONTEXT (says what was found); `gl` is then undefined.

@@ -1,17 +1,8 @@
 /* How long GL takes to draw: see stopwatch.h. */
 #include "stopwatch.h"
+#include "gl.h"
 
-#include <string.h>
 #include <time.h>
-
-/* A software rasteriser draws when it is flushed, on threads of its own, and its timer queries may see none of that. */
-static bool is_software(const char *renderer)
-{
-    static const char *const names[] = {"llvmpipe", "softpipe", "swrast", "Software", "SwiftShader"};
-    for (size_t i = 0; i < sizeof names / sizeof *names; i++)
-        if (strstr(renderer, names[i])) return true;
-    return false;
-}
 
 static double now(void)
 {
@@ -23,7 +14,8 @@ static double now(void)
 bench_stopwatch stopwatch_create(gl_context *context)
 {
     bench_stopwatch made = {.gl = context_gl(context)};
-    if (is_software((const char *)made.gl->GetString(GL_RENDERER))) return made;
+    /* A software rasteriser draws when it is flushed, on threads of its own, and its timer queries may see none of that. */
+    if (ew_gl_is_software((const char *)made.gl->GetString(GL_RENDERER))) return made;
     PFNGLGETQUERYIVPROC GetQueryiv = (PFNGLGETQUERYIVPROC)context_get_proc_address(context, "glGetQueryiv");
     made.DeleteQueries = (PFNGLDELETEQUERIESPROC)context_get_proc_address(context, "glDeleteQueries");
     made.BeginQuery = (PFNGLBEGINQUERYPROC)context_get_proc_address(context, "glBeginQuery");
