@@ -1,5 +1,6 @@
 /* Loading the tests' own GL functions. */
 #include "api.h"
+#include "gl.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -39,4 +40,9 @@ bool api_has(int desktop_version, int es_version, const char *extension)
     for (GLint i = 0; extension && i < count; i++)
         if (strcmp((const char *)gl.GetStringi(GL_EXTENSIONS, (GLuint)i), extension) == 0) return true;
     return false;
+}
+
+bool api_is_software(void)
+{
+    return ew_gl_is_software((const char *)gl.GetString(GL_RENDERER));
 }

@@ -196,4 +196,7 @@ enum { NEVER = 99 };
 /* Whether the context has what came with these versions of OpenGL and OpenGL ES, or with the extension (NULL for none). */
 bool api_has(int desktop_version, int es_version, const char *extension);
 
+/* Whether the context is a software rasteriser's, of which more can be expected than of all drivers. */
+bool api_is_software(void);
+
 #endif

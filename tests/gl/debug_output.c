@@ -12,8 +12,8 @@ static void APIENTRY on_message(GLenum source, GLenum type, GLuint id, GLenum se
                                 const void *user)
 {
     (void)source, (void)id, (void)length, (void)user;
-    /* That a driver compiles a shader anew for the host's state is its own affair. */
-    if (paused || type == GL_DEBUG_TYPE_PERFORMANCE) return;
+    /* That a hardware driver compiles a shader anew for the host's state is its own affair. */
+    if (paused || (type == GL_DEBUG_TYPE_PERFORMANCE && !api_is_software())) return;
     if (severity != GL_DEBUG_SEVERITY_HIGH && severity != GL_DEBUG_SEVERITY_MEDIUM) return;
     fprintf(stderr, "GL says: %s\n", text);
     count++;

@@ -628,7 +628,7 @@ static void failed_draws_leave_all_state(void **unused)
  * the first. */
 static struct dirty_state {
     const char *name;
-    bool may_stay; /* some drivers leave it alone */
+    bool may_stay; /* on hardware, where some drivers leave it alone */
     bool known;    /* in this context */
     bool seen;
 } dirty_states[] = {
@@ -768,7 +768,7 @@ static void without_restoration_only_what_is_documented_is_dirty(void **unused)
         state_free(&after);
     }
     for (int i = 0; i < DIRTY_COUNT; i++)
-        if (dirty_states[i].known && !dirty_states[i].seen && !dirty_states[i].may_stay)
+        if (dirty_states[i].known && !dirty_states[i].seen && !(dirty_states[i].may_stay && !api_is_software()))
             fail_msg("%s is documented as dirty, but never is", dirty_states[i].name);
     make_current(SCRAMBLED);
     effect_destroy(SCRAMBLED);
@@ -839,14 +839,6 @@ static void the_window_s_framebuffer_is_drawn_to_if_there_is_one(void **unused)
     effect_destroy(SCRAMBLED);
 }
 
-/* What another context deleted is gone here, too, with Mesa's drivers, and NVIDIA's keeps it where it is bound. */
-static void expect_binding(GLenum binding, bool is_gone, GLuint deleted)
-{
-    GLint bound = -1;
-    gl.GetIntegerv(binding, &bound);
-    assert_int_equal(bound, is_gone ? 0 : deleted);
-}
-
 static void objects_that_another_context_deleted_do_not_come_back(void **unused)
 {
     (void)unused;
@@ -876,25 +868,30 @@ static void objects_that_another_context_deleted_do_not_come_back(void **unused)
     gl.Finish();
 
     make_current(SCRAMBLED);
-    const bool texture_is_gone = !gl.IsTexture(texture), multisampled_is_gone = !gl.IsTexture(multisampled);
-    const bool sampler_is_gone = !gl.IsSampler(sampler), buffer_is_gone = !gl.IsBuffer(buffer);
     for (current_seed = 0; current_seed < 6 * TARGET_COUNT; current_seed += 2 * TARGET_COUNT)
         effect_draw(SCRAMBLED, &targets[0]);
     assert_int_equal(gl.GetError(), GL_NO_ERROR);
-    expect_binding(GL_TEXTURE_BINDING_2D, texture_is_gone, texture);
-    if (has_multisampled_textures()) expect_binding(GL_TEXTURE_BINDING_2D_MULTISAMPLE, multisampled_is_gone, multisampled);
-    expect_binding(GL_SAMPLER_BINDING, sampler_is_gone, sampler);
-    expect_binding(GL_PIXEL_UNPACK_BUFFER_BINDING, buffer_is_gone, buffer);
-    expect_binding(GL_UNIFORM_BUFFER_BINDING, buffer_is_gone, buffer);
     GLint bound = -1;
+    gl.GetIntegerv(GL_TEXTURE_BINDING_2D, &bound);
+    assert_int_equal(bound, 0);
+    if (has_multisampled_textures()) {
+        gl.GetIntegerv(GL_TEXTURE_BINDING_2D_MULTISAMPLE, &bound);
+        assert_int_equal(bound, 0);
+    }
+    gl.GetIntegerv(GL_PIXEL_UNPACK_BUFFER_BINDING, &bound);
+    assert_int_equal(bound, 0);
+    gl.GetIntegerv(GL_SAMPLER_BINDING, &bound);
+    assert_int_equal(bound, 0);
+    gl.GetIntegerv(GL_UNIFORM_BUFFER_BINDING, &bound);
+    assert_int_equal(bound, 0);
     gl.GetIntegeri_v(GL_UNIFORM_BUFFER_BINDING, EW_GL_UNIFORM_BINDING, &bound);
-    assert_int_equal(bound, buffer_is_gone ? 0 : buffer);
-    /* An effect may have made objects of these names meanwhile. */
+    assert_int_equal(bound, 0);
+    /* Of these names the effect may have made objects of its own meanwhile, where the driver gives them out again. */
     effect_destroy(SCRAMBLED);
-    assert_false(texture_is_gone && gl.IsTexture(texture));
-    assert_false(multisampled_is_gone && gl.IsTexture(multisampled));
-    assert_false(sampler_is_gone && gl.IsSampler(sampler));
-    assert_false(buffer_is_gone && gl.IsBuffer(buffer));
+    assert_false(gl.IsTexture(texture));
+    assert_false(multisampled && gl.IsTexture(multisampled));
+    assert_false(gl.IsSampler(sampler));
+    assert_false(gl.IsBuffer(buffer));
 }
 
 int main(int argc, char **argv)
