@@ -3,7 +3,7 @@
 # The bytes of each become an array, since compilers need not take string literals as long as a shader.
 if(NOT DEFINED PREFIX)
     set(PREFIX ew_glsl_)
-    set(HEADER glsl_text.h)
+    set(HEADER plan/glsl_text.h)
 endif()
 set(text "/* Made by cmake/embed_glsl.cmake. */\n#include \"${HEADER}\"\n")
 foreach(file IN LISTS FILES)

@@ -1,13 +1,13 @@
 /* The effect: sources, shader permutations and GL objects together. */
 #include "energywave.h"
 
-#include "allocator.h"
-#include "error.h"
-#include "gl.h"
-#include "opaque_depth.h"
-#include "program_cache.h"
-#include "scene.h"
-#include "state_guard.h"
+#include "base/allocator.h"
+#include "base/error.h"
+#include "host/gl.h"
+#include "host/opaque_depth.h"
+#include "host/program_cache.h"
+#include "host/state_guard.h"
+#include "model/scene.h"
 
 struct ew_effect {
     ew_allocator allocator;

@@ -10,8 +10,8 @@
 #include "render.h"
 
 /* What the library keeps to itself. */
-#include "gl.h"
-#include "state_guard.h"
+#include "host/gl.h"
+#include "host/state_guard.h"
 
 #include <stdio.h>
 #include <stdlib.h>

@@ -3,11 +3,11 @@
 #include "message.h"
 
 /* What the library keeps to itself: its GL functions, its shaders and how it fills their uniform blocks. */
-#include "allocator.h"
-#include "gl.h"
-#include "glsl_text.h"
-#include "program.h"
-#include "scene.h"
+#include "base/allocator.h"
+#include "host/gl.h"
+#include "host/program.h"
+#include "model/scene.h"
+#include "plan/glsl_text.h"
 
 #include <stdarg.h>
 #include <stdio.h>

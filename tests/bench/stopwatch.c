@@ -1,6 +1,6 @@
 /* How long GL takes to draw: see stopwatch.h. */
 #include "stopwatch.h"
-#include "gl.h"
+#include "host/gl.h"
 
 #include <time.h>
 

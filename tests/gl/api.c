@@ -1,6 +1,6 @@
 /* Loading the tests' own GL functions. */
 #include "api.h"
-#include "gl.h"
+#include "host/gl.h"
 
 #include <stdio.h>
 #include <string.h>

@@ -1,5 +1,5 @@
 /* Loading GL functions: what is missing or too old is named. The contexts here are pretended. */
-#include "gl.h"
+#include "host/gl.h"
 
 #include <setjmp.h>
 #include <stdarg.h>

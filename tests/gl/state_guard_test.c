@@ -5,9 +5,9 @@
  * Two contexts share their objects: a clean one, which prepares the targets and reads the pictures, and a scrambled one. */
 #include "compatibility.h"
 #include "debug_output.h"
+#include "host/state_guard.h"
 #include "program_context.h"
 #include "scramble.h"
-#include "state_guard.h"
 
 #include <setjmp.h>
 #include <stdarg.h>

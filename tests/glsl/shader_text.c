@@ -2,8 +2,8 @@
  * Writes the text of every class of shader permutation to files, through a GL that only takes the shaders' sources:
  * shader_text FOLDER. Names are PROFILE-KEY.vert and PROFILE-KEY.frag.
  */
-#include "allocator.h"
-#include "program_cache.h"
+#include "base/allocator.h"
+#include "host/program_cache.h"
 
 #include <stdio.h>
 #include <stdlib.h>

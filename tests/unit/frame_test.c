@@ -1,6 +1,6 @@
 /* Frames: what is wrong with one is named before any GL is called. */
 #include "check.h"
-#include "scene.h"
+#include "model/scene.h"
 
 #include <float.h>
 

@@ -1,7 +1,7 @@
 /* Sources in ray space (glsl/layout.glsl): each block describes the host's source, in full precision, wherever the world is. */
-#include "allocator.h"
+#include "base/allocator.h"
 #include "check.h"
-#include "scene.h"
+#include "model/scene.h"
 
 #include <stdlib.h>
 

@@ -1,6 +1,6 @@
 /* Rays and window depths of every kind of projection, against the full matrix and its inverse. */
 #include "check.h"
-#include "scene.h"
+#include "model/scene.h"
 
 #include <stdbool.h>
 

@@ -1,7 +1,7 @@
 /* Source lists: what is wrong with them is named, and what is refused changes nothing. */
-#include "allocator.h"
+#include "base/allocator.h"
 #include "check.h"
-#include "scene.h"
+#include "model/scene.h"
 
 #include <float.h>
 #include <stdlib.h>

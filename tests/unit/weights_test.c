@@ -1,7 +1,7 @@
 /* Weight pieces against the recursive definition of the B-spline: equations (14) to (16). */
-#include "allocator.h"
+#include "base/allocator.h"
 #include "check.h"
-#include "scene.h"
+#include "model/scene.h"
 
 #include <stdlib.h>
 

@@ -1,7 +1,7 @@
 /* Keeps programs: see program_cache.h. */
-#include "program_cache.h"
+#include "host/program_cache.h"
 
-#include "error.h"
+#include "base/error.h"
 
 #include <string.h>
 

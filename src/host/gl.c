@@ -1,7 +1,7 @@
 /* Loading the host's GL functions. */
-#include "gl.h"
+#include "host/gl.h"
 
-#include "error.h"
+#include "base/error.h"
 
 #include <stdio.h>
 #include <string.h>

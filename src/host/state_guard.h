@@ -2,7 +2,7 @@
 #ifndef EW_STATE_GUARD_H
 #define EW_STATE_GUARD_H
 
-#include "gl.h"
+#include "host/gl.h"
 
 /* The texture unit of which the effect uses the 2D and multisampled 2D textures and the sampler, and the uniform buffer
  * binding. */

@@ -3,7 +3,7 @@
 #define EW_SCENE_H
 
 #include "energywave.h"
-#include "layout.h"
+#include "model/layout.h"
 
 /* The host's sources and, beside them, room for what a frame makes of them for the uniform block: the arrays from `points` to
  * `weight_pieces` lie one after the other, as in ew_source_data, each as long as the list it is made of. */

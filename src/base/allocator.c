@@ -1,5 +1,5 @@
 /* The allocator of hosts that bring none. */
-#include "allocator.h"
+#include "base/allocator.h"
 
 #include <stdlib.h>
 

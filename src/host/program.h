@@ -2,8 +2,8 @@
 #ifndef EW_PROGRAM_H
 #define EW_PROGRAM_H
 
-#include "gl.h"
-#include "scene.h"
+#include "host/gl.h"
+#include "model/scene.h"
 
 /* What a permutation knows, as bits of its key. Above them stand the numbers of points, lines, tori and curves, in fields of
  * EW_PROGRAM_COUNT_BITS: 0 for none, the number itself up to EW_PROGRAM_MAX_UNROLLED, and one more than that for any. */

@@ -1,9 +1,9 @@
 /* Assembles shaders from the files of glsl/ and compiles them. */
-#include "program.h"
+#include "host/program.h"
 
-#include "error.h"
-#include "glsl_text.h"
-#include "state_guard.h"
+#include "base/error.h"
+#include "host/state_guard.h"
+#include "plan/glsl_text.h"
 
 #include <stdio.h>
 #include <string.h>

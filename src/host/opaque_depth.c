@@ -1,8 +1,8 @@
 /* Depth textures of the host's, and copies of framebuffers' depth. */
-#include "opaque_depth.h"
+#include "host/opaque_depth.h"
 
-#include "error.h"
-#include "state_guard.h"
+#include "base/error.h"
+#include "host/state_guard.h"
 
 /* The compatibility profile's parameter of depth textures, which the core profile dropped, and its value for red. */
 enum { COMPATIBILITY_DEPTH_TEXTURE_MODE = 0x884B };

@@ -30,6 +30,24 @@ EW_VARYING vec4 ew_sources[EW_SOURCE_VARYINGS];
 #endif
 
 #ifndef EW_VERTEX_STAGE
+// beta of the decay, (21).
+float ew_beta()
+{
+    return ew_frame.decay.x;
+}
+
+// The floor under all distances, which is the radius of the cores.
+float ew_epsilon()
+{
+    return ew_frame.decay.y;
+}
+
+// How rough a panel of the adaptive integrator may be, relative to the integral.
+float ew_tolerance()
+{
+    return ew_frame.decay.z;
+}
+
 #define EW_POINT_START 0
 #define EW_LINE_START (EW_POINT_COUNT * EW_POINT_SIZE)
 #define EW_TORUS_START (EW_LINE_START + EW_LINE_COUNT * EW_LINE_SIZE)

@@ -12,7 +12,7 @@ typedef struct ew_ivec4 {
 
 #define vec4 ew_vec4
 #define ivec4 ew_ivec4
-#include "../glsl/layout.glsl"
+#include "../../glsl/base/layout.glsl"
 #undef vec4
 #undef ivec4
 

@@ -3,7 +3,7 @@
 #ifndef EW_OPAQUE_DEPTH_H
 #define EW_OPAQUE_DEPTH_H
 
-#include "gl.h"
+#include "host/gl.h"
 
 /* A framebuffer's depth, copied; starts as {0} and keeps its texture from frame to frame. */
 typedef struct ew_depth_copy {

@@ -1,7 +1,7 @@
 /* Saving, setting and restoring the host's GL state. */
-#include "state_guard.h"
+#include "host/state_guard.h"
 
-#include "error.h"
+#include "base/error.h"
 
 /* glColorClamp's target that the core profile dropped, and its default. */
 enum { COMPATIBILITY_CLAMP_FRAGMENT_COLOR = 0x891B };

@@ -2,7 +2,7 @@
 #ifndef EW_PROGRAM_CACHE_H
 #define EW_PROGRAM_CACHE_H
 
-#include "program.h"
+#include "host/program.h"
 
 typedef struct ew_program_cache {
     struct ew_cached_program {

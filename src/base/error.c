@@ -1,5 +1,5 @@
 /* Results as values: the table of texts, and the filling of an ew_error. */
-#include "error.h"
+#include "base/error.h"
 
 #include <stdarg.h>
 #include <stdio.h>

@@ -1,7 +1,7 @@
 /* Source lists: validate, bring to the camera in double precision, pack into uniform blocks. */
-#include "scene.h"
+#include "model/scene.h"
 
-#include "error.h"
+#include "base/error.h"
 
 #include <math.h>
 #include <stdbool.h>
