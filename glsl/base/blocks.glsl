@@ -1,18 +1,20 @@
-// The uniform block: the frame and, one after the other, all points, lines, tori, curves and weight pieces.
+// The uniform block: the frame, the number of sources of each kind, and then the sources: kind after kind, the pieces of weights
+// last.
 //
-// EW_..._COUNT is 0 for a kind that the shader does not know, a literal for few sources, so that loops unroll and the block is
-// read at constant places (a software rasteriser gathers from each lane otherwise), and else the frame's own count.
+// Behind this file C puts, for each kind that the shader knows, EW_..._COUNT and a function ew_...(i) that reads source i: see
+// src/plan/shader_text.c. The count is a literal for few sources, so that loops unroll and the block is read at constant places.
+// (Elsewhere a software rasteriser gathers lane by lane.)
 
 layout(std140) uniform ew_uniforms
 {
     ew_frame_block ew_uniform_frame;
+    ivec4 ew_uniform_source_counts[EW_COUNT_VECTORS];
     vec4 ew_source_data[EW_SOURCE_DATA_SIZE];
 };
 
-// For a software rasteriser EW_SOFTWARE is defined. It checks the bounds of every component that a fragment reads from a block,
-// which costs more than a closed form; so fragments get the frame as a flat varying, and the sources too where these are few:
-// EW_SOURCE_VARYINGS is how many vec4 they take. To a GPU the block is constants, and each varying an instruction and a register:
-// with them, a point took it 1.4 times as long.
+// EW_SOFTWARE: llvmpipe checks the bounds of every component that a fragment reads from a block, which costs more than a closed
+// form. So the vertex stage copies the frame to flat varyings; and the sources too, EW_SOURCE_VARYINGS vec4, where they are few.
+// GPUs read blocks as constants. With varyings, a point took 1.4 times as long there.
 #ifdef EW_VERTEX_STAGE
 #define EW_VARYING flat out
 #else
@@ -21,8 +23,10 @@ layout(std140) uniform ew_uniforms
 
 #ifdef EW_SOFTWARE
 EW_VARYING ew_frame_block ew_frame;
+EW_VARYING ivec4 ew_source_counts[EW_COUNT_VECTORS];
 #else
 #define ew_frame ew_uniform_frame
+#define ew_source_counts ew_uniform_source_counts
 #endif
 
 #ifdef EW_SOURCE_VARYINGS
@@ -48,15 +52,13 @@ float ew_tolerance()
     return ew_frame.decay.z;
 }
 
-#define EW_POINT_START 0
-#define EW_LINE_START (EW_POINT_COUNT * EW_POINT_SIZE)
-#define EW_TORUS_START (EW_LINE_START + EW_LINE_COUNT * EW_LINE_SIZE)
-#define EW_CURVE_START (EW_TORUS_START + EW_TORUS_COUNT * EW_TORUS_SIZE)
-#define EW_WEIGHT_START (EW_CURVE_START + EW_CURVE_COUNT * EW_CURVE_SIZE)
+int ew_simpson_divisions()
+{
+    return ew_frame.simpson.x;
+}
 
-// A member of source i of `count`, of which the first has it at `start` and each takes `size` vec4. Where they are varyings, no
-// index depends on i: the loops over sources are too long for compilers to unroll, and rasterisers that keep arrays in memory
-// gather.
+// A member of source i of `count`. The first source has it at `start`, and each takes `size` vec4. No index into varyings depends
+// on i: the loops over sources are too long for compilers to unroll, and rasterisers that keep arrays in memory gather.
 vec4 ew_source(int start, int size, int count, int i)
 {
 #ifdef EW_SOURCE_VARYINGS
@@ -67,40 +69,5 @@ vec4 ew_source(int start, int size, int count, int i)
 #else
     return ew_source_data[start + i * size];
 #endif
-}
-
-ew_point_block ew_point(int i)
-{
-    return ew_point_block(ew_source(EW_POINT_START + 0, EW_POINT_SIZE, EW_POINT_COUNT, i),
-                          ew_source(EW_POINT_START + 1, EW_POINT_SIZE, EW_POINT_COUNT, i));
-}
-
-ew_line_block ew_line(int i)
-{
-    return ew_line_block(ew_source(EW_LINE_START + 0, EW_LINE_SIZE, EW_LINE_COUNT, i),
-                         ew_source(EW_LINE_START + 1, EW_LINE_SIZE, EW_LINE_COUNT, i),
-                         ew_source(EW_LINE_START + 2, EW_LINE_SIZE, EW_LINE_COUNT, i));
-}
-
-ew_torus_block ew_torus(int i)
-{
-    return ew_torus_block(ew_source(EW_TORUS_START + 0, EW_TORUS_SIZE, EW_TORUS_COUNT, i),
-                          ew_source(EW_TORUS_START + 1, EW_TORUS_SIZE, EW_TORUS_COUNT, i),
-                          ew_source(EW_TORUS_START + 2, EW_TORUS_SIZE, EW_TORUS_COUNT, i));
-}
-
-ew_curve_block ew_curve(int i)
-{
-    return ew_curve_block(ew_source(EW_CURVE_START + 0, EW_CURVE_SIZE, EW_CURVE_COUNT, i),
-                          ew_source(EW_CURVE_START + 1, EW_CURVE_SIZE, EW_CURVE_COUNT, i),
-                          ew_source(EW_CURVE_START + 2, EW_CURVE_SIZE, EW_CURVE_COUNT, i),
-                          ew_source(EW_CURVE_START + 3, EW_CURVE_SIZE, EW_CURVE_COUNT, i),
-                          ew_source(EW_CURVE_START + 4, EW_CURVE_SIZE, EW_CURVE_COUNT, i),
-                          ew_source(EW_CURVE_START + 5, EW_CURVE_SIZE, EW_CURVE_COUNT, i));
-}
-
-ew_weight_block ew_weight_piece(int i)
-{
-    return ew_weight_block(ew_source_data[EW_WEIGHT_START + i]);
 }
 #endif

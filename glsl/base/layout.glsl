@@ -1,27 +1,32 @@
-// What C and GLSL share: the uniform block's structures (std140; all members are vec4 or ivec4, so the C structures have the
-// same layout) and how many vec4 each source takes. Included by src/layout.h and put first into every shader.
+// The structures of the uniform block, which C and GLSL share. All members are vec4 or ivec4, so std140 lays them out as C does.
+// src/model/layout.h includes this file, and it comes first in every shader.
 //
-// Ray space: the shader's unit of length is the interval, its origin (the anchor) the point of the viewing axis at view depth
-// interval_start, its axes are the view's. A ray is L(s) = S + s V with S.z = 0 and V.z = -1, and s runs from 0 to 1.
+// Ray space: the shader's unit of length is the interval. Its origin (the anchor) is the point of the viewing axis at view depth
+// interval_start, and its axes are the view's. A ray is L(s) = S + s V with S.z = 0 and V.z = -1, and s runs from 0 to 1.
 
 struct ew_frame_block {
-    vec4 pixel_center;  // xy: where NDC (0, 0) lies in gl_FragCoord; zw: unused
-    vec4 ray_center;    // xy: S.xy, zw: V.xy of the ray there
-    vec4 ray_right;     // by how much both grow a pixel to the right
-    vec4 ray_up;        // by how much both grow a pixel upwards
-    vec4 depth_start;   // window depth of S: x + y at pixel_center (a float and its rounding error), zw: growth a pixel right, up
-    vec4 depth_end;     // likewise of E
-    vec4 depth_scale;   // x, y: clip w of S and of E, negated both for reversed-Z; zw: unused
-    vec4 decay;         // x: beta, y: epsilon, z: how rough a panel of the adaptive integrator may be, relative to the integral
-    vec4 ray_space_x;   // ray space from the world's axes relative to the eye: x = dot(ray_space_x, vec4(position, 1)), ...
-    vec4 ray_space_y;
-    vec4 ray_space_z;
-    ivec4 source_count; // points, lines, tori, curves
-    ivec4 simpson;      // x: number of divisions
+    vec4 pixel_center; // xy: where NDC (0, 0) lies in gl_FragCoord; zw: unused
+    vec4 ray_center;   // xy: S.xy, zw: V.xy of the ray there
+    vec4 ray_right;    // growth of both from one pixel to the next on the right
+    vec4 ray_up;       // growth of both from one pixel to the next above
+    vec4 depth_start;  // window depth of S: x + y at pixel_center (a float and its rounding error), zw: growth a pixel right, up
+    vec4 depth_end;    // window depth of E, in the same form
+    vec4 depth_scale;  // x, y: clip w of S and of E, both negated for reversed-Z; zw: unused
+    vec4 decay;        // x: beta, y: epsilon, z: tolerance of a panel (see ew_tolerance); w: unused
+    vec4 ray_space_x;  // x in ray space of a position relative to the eye: dot(ray_space_x, vec4(position, 1))
+    vec4 ray_space_y;  // its y
+    vec4 ray_space_z;  // its z
+    ivec4 simpson;     // x: number of divisions
 };
 
+// How many kinds of sources there are, and how many ivec4 their counts take.
+#define EW_KIND_COUNT 4
+#define EW_COUNT_VECTORS ((EW_KIND_COUNT + 3) / 4)
+
+// The blocks of the sources. In every kind, `color` is the light's colour where B = 1, and its w the coefficient times alpha.
+
 struct ew_point_block {
-    vec4 position; // w: coefficient times alpha, as in all kinds
+    vec4 position;
     vec4 color;
 };
 
@@ -40,11 +45,11 @@ struct ew_torus_block {
 // The arc C(tau) = origin + slope_x tau axis_x + (slope_y tau + bend tau^2) axis_y with tau in [first, last], last - first = 1.
 // The origin is the parabola's vertex, where slope_y is 0, unless that is far off the arc; then it is the arc's middle.
 struct ew_curve_block {
-    vec4 origin;
+    vec4 origin; // w: the mean of the weights, 1 without
     vec4 axis_x; // w: slope_x >= 0
     vec4 axis_y; // w: slope_y
     vec4 axis_z; // w: bend >= 0
-    vec4 color;  // w: the mean of the weights, 1 without
+    vec4 color;
     vec4 domain; // x: first, y: last, z: the first weight piece, w: how many pieces there are (0: none)
 };
 
@@ -52,9 +57,3 @@ struct ew_curve_block {
 struct ew_weight_block {
     vec4 polynomial;
 };
-
-#define EW_POINT_SIZE 2
-#define EW_LINE_SIZE 3
-#define EW_TORUS_SIZE 3
-#define EW_CURVE_SIZE 6
-#define EW_WEIGHT_SIZE 1

@@ -3,54 +3,29 @@
 // B_i is cut here, far above what any target shows, so that sums and products of it stay finite.
 const float EW_MAX_LUMINANCE = 1e30;
 
-void ew_add(float luminance, vec3 color, inout vec4 sum)
+// Adds the light of one source to the sum. `color` is its block's: w is its coefficient.
+void ew_add(float integral, vec4 color, inout vec4 sum)
 {
-    luminance = clamp(luminance, 0.0, EW_MAX_LUMINANCE);
-    sum += vec4(luminance * color, luminance);
+    float luminance = clamp(color.w * integral, 0.0, EW_MAX_LUMINANCE);
+    sum += vec4(luminance * color.rgb, luminance);
 }
 
-// The light of all sources along a segment: sum B_i color_i, and sum B_i as the fourth component. Loops are left at their ends: one
-// that tests first has its body run once too often on a software rasteriser, for no pixel at all.
+// What the other sources that came before add to an integral, in its unit: over the coefficient, which may be 0. It is so bounded
+// that the quotient is finite.
+float ew_others(vec4 sum, vec4 color)
+{
+    return min(sum.a, 1e6) / max(color.w, 1e-30);
+}
+
+// Adds all sources of a kind: `source` is its block, `read` what reads one. The loop tests at its end: llvmpipe runs the body of a
+// loop that tests first once more, with every lane masked off.
+#define EW_ADD_KIND(block, read, count) if (count > 0) { int i = 0; do { block source = read(i); ew_add(ew_integrate(segment, source, ew_others(sum, source.color)), source.color, sum); } while (++i < count); }
+
+// The light of all sources along a segment: sum B_i color_i, and sum B_i as the fourth component. C defines EW_ADD_KINDS: one
+// EW_ADD_KIND for each kind that the shader knows.
 vec4 ew_integrate_all(ew_segment segment)
 {
     vec4 sum = vec4(0.0);
-#ifdef EW_POINTS
-    if (EW_POINT_COUNT > 0) {
-        int i = 0;
-        do {
-            ew_point_block point = ew_point(i);
-            ew_add(point.position.w * ew_integrate_point(segment, point), point.color.rgb, sum);
-        } while (++i < EW_POINT_COUNT);
-    }
-#endif
-#ifdef EW_LINES
-    if (EW_LINE_COUNT > 0) {
-        int i = 0;
-        do {
-            ew_line_block line = ew_line(i);
-            ew_add(line.position.w * ew_integrate_line(segment, line), line.color.rgb, sum);
-        } while (++i < EW_LINE_COUNT);
-    }
-#endif
-#ifdef EW_TORI
-    if (EW_TORUS_COUNT > 0) {
-        int i = 0;
-        do {
-            ew_torus_block torus = ew_torus(i);
-            ew_add(torus.center.w * ew_integrate_torus(segment, torus), torus.color.rgb, sum);
-        } while (++i < EW_TORUS_COUNT);
-    }
-#endif
-#ifdef EW_CURVES
-    if (EW_CURVE_COUNT > 0) {
-        int i = 0;
-        do {
-            ew_curve_block curve = ew_curve(i);
-            // In the unit of the curve's integral: over its coefficient, which may be 0; so bounded that the quotient is finite.
-            float others = min(sum.a, 1e6) / max(curve.origin.w, 1e-30);
-            ew_add(curve.origin.w * ew_integrate_curve(segment, curve, others), curve.color.rgb, sum);
-        } while (++i < EW_CURVE_COUNT);
-    }
-#endif
+    EW_ADD_KINDS
     return sum;
 }

@@ -6,6 +6,7 @@ void main()
     gl_Position = vec4(2.0 * corner - 1.0, 0.0, 1.0);
 #ifdef EW_SOFTWARE
     ew_frame = ew_uniform_frame;
+    ew_source_counts = ew_uniform_source_counts;
 #endif
 #ifdef EW_SOURCE_VARYINGS
     for (int i = 0; i < EW_SOURCE_VARYINGS; ++i)

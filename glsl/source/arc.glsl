@@ -31,7 +31,7 @@ ew_arc ew_make_arc(ew_segment segment, ew_curve_block curve)
 {
     mat3 frame = mat3(curve.axis_x.xyz, curve.axis_y.xyz, curve.axis_z.xyz);
     ew_arc arc;
-    arc.mean_weight = curve.color.w;
+    arc.mean_weight = curve.origin.w;
     arc.start = (segment.origin - curve.origin.xyz) * frame;
     arc.direction = segment.direction * frame;
     arc.slope_x = curve.axis_x.w;

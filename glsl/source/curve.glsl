@@ -179,7 +179,7 @@ float ew_skip_parts(float s, vec2 first, vec2 last)
 const float EW_OTHERS_PART = 0.1;
 
 // The integral over a segment. `others`, >= 0 and in the same unit, is what other sources are known to add to it.
-float ew_integrate_curve(ew_segment segment, ew_curve_block curve, float others)
+float ew_integrate(ew_segment segment, ew_curve_block curve, float others)
 {
     ew_arc arc = ew_make_arc(segment, curve);
     ew_cell first_cell = ew_cell_of_end(arc, arc.first, 1.0);

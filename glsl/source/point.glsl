@@ -1,6 +1,15 @@
+// A point, equation (2).
+
+float ew_distance_squared(ew_point_block point, vec3 position, out float weight)
+{
+    weight = 1.0;
+    return ew_length_squared(position - point.position.xyz);
+}
+
+#ifndef EW_SAMPLING
 // The integral over a segment of 1 / distance to a point, equation (2): closed form. The distance from the ray is the length of
 // a perpendicular vector, never the root of a difference.
-float ew_integrate_point(ew_segment segment, ew_point_block point)
+float ew_integrate(ew_segment segment, ew_point_block point, float others)
 {
     vec3 to_point = point.position.xyz - segment.origin;
     float k = ew_length_squared(segment.direction);
@@ -9,3 +18,4 @@ float ew_integrate_point(ew_segment segment, ew_point_block point)
     ew_evaluation_count += 1;
     return ew_integrate_line_distance(b2, k, s0, 0.0, segment.end);
 }
+#endif

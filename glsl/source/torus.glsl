@@ -1,3 +1,15 @@
+// A torus, equation (7): the circle of a radius about an axis.
+
+float ew_distance_squared(ew_torus_block torus, vec3 position, out float weight)
+{
+    vec3 difference = position - torus.center.xyz;
+    float height = dot(difference, torus.axis.xyz);
+    float from_axis = length(difference - height * torus.axis.xyz);
+    weight = 1.0;
+    return ew_square(from_axis - torus.axis.w) + height * height;
+}
+
+#ifndef EW_SAMPLING
 // The integral over a segment of 1 / distance to a circle, equation (7); docs/method.md, section 5, has the derivation.
 
 // A ray, from the place where it is nearest to the circle's axis towards one of its ends. x behind that place, it is
@@ -179,7 +191,7 @@ float ew_integrate_ring_panel(ew_ring_side side, float from, float size, float c
     return 2.0 * size * m_complement * inversesqrt(own_scale2) * (dot(even, right + left) + dot(odd, right - left));
 }
 
-float ew_integrate_torus(ew_segment segment, ew_torus_block torus)
+float ew_integrate(ew_segment segment, ew_torus_block torus, float others)
 {
     vec3 axis = torus.axis.xyz;
     float radius = torus.axis.w;
@@ -265,3 +277,4 @@ float ew_integrate_torus(ew_segment segment, ew_torus_block torus)
     }
     return cores + sum / growth;
 }
+#endif

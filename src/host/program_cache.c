@@ -19,7 +19,7 @@ static const struct ew_cached_program *find_ready(const ew_program_cache *cache,
         const struct ew_cached_program *entry = &cache->entries[i];
         if (!entry->program.is_ready) continue;
         if (entry->key == key) return entry;
-        if (ew_program_covers(entry->key, key)) general = entry;
+        if (ew_permutation_covers(entry->key, key)) general = entry;
     }
     return general;
 }
@@ -41,7 +41,7 @@ static ew_result grow(ew_program_cache *cache, const ew_allocator *allocator, ew
 }
 
 /* Returns the entry of `key`, which is started if there is none. */
-static ew_result start(ew_program_cache *cache, const ew_gl *gl, size_t capacity, const ew_allocator *allocator, unsigned key,
+static ew_result start(ew_program_cache *cache, const ew_gl *gl, const ew_allocator *allocator, unsigned key,
                        struct ew_cached_program **entry, ew_error *error)
 {
     *entry = find(cache, key);
@@ -50,7 +50,7 @@ static ew_result start(ew_program_cache *cache, const ew_gl *gl, size_t capacity
     if (result != EW_OK) return result;
     struct ew_cached_program *made = &cache->entries[cache->count];
     made->key = key;
-    result = ew_program_start(gl, capacity, key, &made->program, error);
+    result = ew_program_start(gl, key, NULL, &made->program, error);
     if (result != EW_OK) return result;
     cache->count++;
     *entry = made;
@@ -69,19 +69,19 @@ static ew_result finish(ew_program_cache *cache, const ew_gl *gl, struct ew_cach
     return result;
 }
 
-ew_result ew_program_prepare(ew_program_cache *cache, const ew_gl *gl, size_t capacity, const ew_allocator *allocator,
-                             unsigned key, GLuint *name, ew_error *error)
+ew_result ew_program_prepare(ew_program_cache *cache, const ew_gl *gl, const ew_allocator *allocator, unsigned key,
+                             GLuint *name, ew_error *error)
 {
     struct ew_cached_program *entry;
-    ew_result result = start(cache, gl, capacity, allocator, key, &entry, error);
+    ew_result result = start(cache, gl, allocator, key, &entry, error);
     if (result != EW_OK) return result;
     *name = 0;
     if (!ew_program_is_complete(gl, &entry->program)) return EW_OK;
     return finish(cache, gl, entry, name, error);
 }
 
-ew_result ew_program_get(ew_program_cache *cache, const ew_gl *gl, size_t capacity, const ew_allocator *allocator, unsigned key,
-                         GLuint *name, ew_error *error)
+ew_result ew_program_get(ew_program_cache *cache, const ew_gl *gl, const ew_allocator *allocator, unsigned key, GLuint *name,
+                         ew_error *error)
 {
     const struct ew_cached_program *ready = find_ready(cache, key);
     if (ready) {
@@ -89,7 +89,7 @@ ew_result ew_program_get(ew_program_cache *cache, const ew_gl *gl, size_t capaci
         return EW_OK;
     }
     struct ew_cached_program *entry;
-    ew_result result = start(cache, gl, capacity, allocator, key, &entry, error);
+    ew_result result = start(cache, gl, allocator, key, &entry, error);
     if (result != EW_OK) return result;
     return finish(cache, gl, entry, name, error);
 }

@@ -2,11 +2,8 @@
 #ifndef EW_STATE_GUARD_H
 #define EW_STATE_GUARD_H
 
+#include "host/binding_points.h"
 #include "host/gl.h"
-
-/* The texture unit of which the effect uses the 2D and multisampled 2D textures and the sampler, and the uniform buffer
- * binding. */
-enum { EW_GL_DEPTH_TEXTURE_UNIT = 0, EW_GL_UNIFORM_BINDING = 0 };
 
 /* As many as GL has enumerators for. */
 enum { EW_GL_MAX_DRAW_BUFFERS = 16 };

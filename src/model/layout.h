@@ -1,4 +1,4 @@
-/* The uniform blocks as C sees them: the structures of glsl/layout.glsl. */
+/* The uniform block as C sees it, with the structures of glsl/base/layout.glsl. */
 #ifndef EW_LAYOUT_H
 #define EW_LAYOUT_H
 
@@ -15,5 +15,11 @@ typedef struct ew_ivec4 {
 #include "../../glsl/base/layout.glsl"
 #undef vec4
 #undef ivec4
+
+/* What comes before the sources: see glsl/base/blocks.glsl. */
+struct ew_uniform_head {
+    struct ew_frame_block frame;
+    int source_counts[4 * EW_COUNT_VECTORS]; /* by kind */
+};
 
 #endif

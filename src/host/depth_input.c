@@ -1,5 +1,5 @@
 /* Depth textures of the host's, and copies of framebuffers' depth. */
-#include "host/opaque_depth.h"
+#include "host/depth_input.h"
 
 #include "base/error.h"
 #include "host/state_guard.h"
@@ -33,7 +33,7 @@ static bool has_parameter(const ew_gl *gl, GLenum target, GLenum name)
     }
 }
 
-static void set_parameters(const ew_gl *gl, ew_opaque_depth *depth)
+static void set_parameters(const ew_gl *gl, ew_depth_input *depth)
 {
     for (int i = 0; i < EW_DEPTH_PARAMETER_COUNT; i++) {
         if (!has_parameter(gl, depth->target, parameters[i].name)) continue;
@@ -44,44 +44,44 @@ static void set_parameters(const ew_gl *gl, ew_opaque_depth *depth)
 }
 
 /* GL does not tell a texture's target, but it binds a texture to no other; that is an error then, and the binding stays. */
-static ew_result bind_texture(const ew_gl *gl, const ew_frame_desc *frame, GLenum target, ew_error *error)
+static ew_result bind_texture(const ew_gl *gl, const ew_plan *plan, GLenum target, ew_error *error)
 {
     bool multisampled = target == GL_TEXTURE_2D_MULTISAMPLE;
     GLint bound = 0;
-    gl->BindTexture(target, frame->depth_texture);
+    gl->BindTexture(target, plan->depth.texture);
     gl->GetIntegerv(multisampled ? GL_TEXTURE_BINDING_2D_MULTISAMPLE : GL_TEXTURE_BINDING_2D, &bound);
-    if ((GLuint)bound == frame->depth_texture) return EW_OK;
+    if ((GLuint)bound == plan->depth.texture) return EW_OK;
     gl->GetError();
     return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "depth_texture %u is no %s, which depth_source says that it is",
-                   frame->depth_texture, multisampled ? "GL_TEXTURE_2D_MULTISAMPLE" : "GL_TEXTURE_2D");
+                   plan->depth.texture, multisampled ? "GL_TEXTURE_2D_MULTISAMPLE" : "GL_TEXTURE_2D");
 }
 
-static ew_result check_not_attached(const ew_gl *gl, const ew_frame_desc *frame, ew_error *error)
+static ew_result check_not_attached(const ew_gl *gl, const ew_plan *plan, ew_error *error)
 {
     GLint type = GL_NONE, name = 0;
-    if (frame->framebuffer == 0) return EW_OK;
+    if (plan->target.framebuffer == 0) return EW_OK;
     gl->GetFramebufferAttachmentParameteriv(GL_DRAW_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE,
                                             &type);
     if (type != GL_TEXTURE) return EW_OK;
     gl->GetFramebufferAttachmentParameteriv(GL_DRAW_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_FRAMEBUFFER_ATTACHMENT_OBJECT_NAME,
                                             &name);
-    if ((GLuint)name != frame->depth_texture) return EW_OK;
+    if ((GLuint)name != plan->depth.texture) return EW_OK;
     return ew_fail(error, EW_ERROR_INVALID_ARGUMENT,
                    "depth_texture %u is attached to framebuffer %u, which GL cannot draw to while it reads the texture; detach "
                    "it, or set depth_source to EW_DEPTH_FRAMEBUFFER",
-                   frame->depth_texture, frame->framebuffer);
+                   plan->depth.texture, plan->target.framebuffer);
 }
 
-static ew_result bind_host_texture(const ew_gl *gl, const ew_frame_desc *frame, ew_opaque_depth *depth, ew_error *error)
+static ew_result bind_host_texture(const ew_gl *gl, const ew_plan *plan, ew_depth_input *depth, ew_error *error)
 {
-    ew_result result = check_not_attached(gl, frame, error);
+    ew_result result = check_not_attached(gl, plan, error);
     if (result != EW_OK) return result;
-    result = bind_texture(gl, frame, depth->target, error);
+    result = bind_texture(gl, plan, depth->target, error);
     if (result != EW_OK) return result;
     if (depth->target == GL_TEXTURE_2D_MULTISAMPLE) {
         gl->GetTexLevelParameteriv(depth->target, 0, GL_TEXTURE_SAMPLES, &depth->samples);
         if (depth->samples < 1)
-            return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "depth_texture %u has no storage", frame->depth_texture);
+            return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "depth_texture %u has no storage", plan->depth.texture);
     }
     set_parameters(gl, depth);
     return EW_OK;
@@ -172,11 +172,12 @@ static GLint clamp(long long value, GLint limit)
     return value < 0 ? 0 : value > limit ? limit : (GLint)value;
 }
 
-static rectangle viewport_rectangle(const ew_frame_desc *frame, GLint limit)
+static rectangle viewport_rectangle(const ew_plan *plan, GLint limit)
 {
-    return (rectangle){clamp(frame->viewport_x, limit), clamp(frame->viewport_y, limit),
-                       clamp((long long)frame->viewport_x + frame->viewport_width, limit),
-                       clamp((long long)frame->viewport_y + frame->viewport_height, limit)};
+    const ew_viewport *viewport = &plan->target.viewport;
+    return (rectangle){clamp(viewport->x, limit), clamp(viewport->y, limit),
+                       clamp((long long)viewport->x + viewport->width, limit),
+                       clamp((long long)viewport->y + viewport->height, limit)};
 }
 
 /* Equal rectangles: OpenGL ES copies multisampled framebuffers to no others. The host's scissor holds here too, which leaves
@@ -238,18 +239,18 @@ static void bind_copy(ew_depth_copy *copy, const ew_gl *gl, GLenum target)
 }
 
 /* From the framebuffer that is bound for reading, through the one bound for drawing. */
-static ew_result copy_between(ew_depth_copy *copy, const ew_gl *gl, const ew_frame_desc *frame, const ew_opaque_depth *depth,
+static ew_result copy_between(ew_depth_copy *copy, const ew_gl *gl, const ew_plan *plan, const ew_depth_input *depth,
                               ew_error *error)
 {
-    ew_depth_copy wanted = ask_depth(gl, frame->framebuffer == 0);
+    ew_depth_copy wanted = ask_depth(gl, plan->target.framebuffer == 0);
     if (wanted.depth_bits == 0)
         return ew_fail(error, EW_ERROR_INVALID_ARGUMENT,
-                       "depth_source is EW_DEPTH_FRAMEBUFFER, but framebuffer %u has no depth", frame->framebuffer);
+                       "depth_source is EW_DEPTH_FRAMEBUFFER, but framebuffer %u has no depth", plan->target.framebuffer);
     wanted.samples = depth->samples;
     bind_copy(copy, gl, depth->target);
     GLint limit = 0;
     gl->GetIntegerv(GL_MAX_TEXTURE_SIZE, &limit);
-    const rectangle area = viewport_rectangle(frame, limit);
+    const rectangle area = viewport_rectangle(plan, limit);
     if (area.left == area.right || area.bottom == area.top) return EW_OK;
     bool same_format = has_same_format(copy, &wanted);
     if (same_format && area.right <= copy->width && area.top <= copy->height) {
@@ -267,47 +268,50 @@ static ew_result copy_between(ew_depth_copy *copy, const ew_gl *gl, const ew_fra
         return ew_fail(error, EW_ERROR_OPENGL,
                        "the %d bit depth of framebuffer %u cannot be copied to a texture of %d x %d; copy it to a texture of "
                        "your own and name that as depth_texture",
-                       wanted.depth_bits, frame->framebuffer, wanted.width, wanted.height);
+                       wanted.depth_bits, plan->target.framebuffer, wanted.width, wanted.height);
     *copy = wanted;
     return EW_OK;
 }
 
-static ew_result bind_copied_depth(ew_depth_copy *copy, const ew_gl *gl, const ew_frame_desc *frame, ew_opaque_depth *depth,
+static ew_result bind_copied_depth(ew_depth_copy *copy, const ew_gl *gl, const ew_plan *plan, ew_depth_input *depth,
                                    ew_error *error)
 {
     if (depth->target == GL_TEXTURE_2D_MULTISAMPLE) gl->GetIntegerv(GL_SAMPLES, &depth->samples);
     GLuint framebuffer = make_framebuffer(gl);
-    gl->BindFramebuffer(GL_READ_FRAMEBUFFER, frame->framebuffer);
-    ew_result result = copy_between(copy, gl, frame, depth, error);
+    gl->BindFramebuffer(GL_READ_FRAMEBUFFER, plan->target.framebuffer);
+    ew_result result = copy_between(copy, gl, plan, depth, error);
     gl->DeleteFramebuffers(1, &framebuffer);
-    gl->BindFramebuffer(GL_DRAW_FRAMEBUFFER, frame->framebuffer);
+    gl->BindFramebuffer(GL_DRAW_FRAMEBUFFER, plan->target.framebuffer);
     return result;
 }
 
 /* ---- Either ---- */
 
-GLenum ew_opaque_depth_target(const ew_gl *gl, const ew_frame_desc *frame)
+ew_depth_kind ew_depth_input_kind(const ew_gl *gl, const ew_depth_request *request)
 {
-    if (frame->depth_source == EW_DEPTH_FRAMEBUFFER) {
+    if (request->source == EW_DEPTH_FRAMEBUFFER) {
         /* OpenGL ES copies samples only as it resolves them. */
         GLint samples = 0;
         if (!gl->es) gl->GetIntegerv(GL_SAMPLES, &samples);
-        return samples > 0 ? GL_TEXTURE_2D_MULTISAMPLE : GL_TEXTURE_2D;
+        return samples > 0 ? EW_DEPTH_KIND_MULTISAMPLE : EW_DEPTH_KIND_SINGLE;
     }
-    if (frame->depth_texture == 0) return 0;
-    return frame->depth_source == EW_DEPTH_TEXTURE_MULTISAMPLE ? GL_TEXTURE_2D_MULTISAMPLE : GL_TEXTURE_2D;
+    if (request->texture == 0) return EW_DEPTH_KIND_NONE;
+    return request->source == EW_DEPTH_TEXTURE_MULTISAMPLE ? EW_DEPTH_KIND_MULTISAMPLE : EW_DEPTH_KIND_SINGLE;
 }
 
-ew_result ew_opaque_depth_bind(ew_depth_copy *copy, const ew_gl *gl, const ew_frame_desc *frame, ew_opaque_depth *depth,
-                               ew_error *error)
+ew_result ew_depth_input_bind(ew_depth_copy *copy, const ew_gl *gl, const ew_plan *plan, ew_depth_kind kind,
+                              ew_depth_input *depth, ew_error *error)
 {
-    *depth = (ew_opaque_depth){.target = ew_opaque_depth_target(gl, frame)};
+    static const GLenum targets[] = {[EW_DEPTH_KIND_NONE] = 0,
+                                     [EW_DEPTH_KIND_SINGLE] = GL_TEXTURE_2D,
+                                     [EW_DEPTH_KIND_MULTISAMPLE] = GL_TEXTURE_2D_MULTISAMPLE};
+    *depth = (ew_depth_input){.target = targets[kind]};
     gl->ActiveTexture(GL_TEXTURE0 + EW_GL_DEPTH_TEXTURE_UNIT);
-    if (frame->depth_source == EW_DEPTH_FRAMEBUFFER) return bind_copied_depth(copy, gl, frame, depth, error);
-    return depth->target ? bind_host_texture(gl, frame, depth, error) : EW_OK;
+    if (plan->depth.source == EW_DEPTH_FRAMEBUFFER) return bind_copied_depth(copy, gl, plan, depth, error);
+    return depth->target ? bind_host_texture(gl, plan, depth, error) : EW_OK;
 }
 
-void ew_opaque_depth_release(const ew_gl *gl, const ew_opaque_depth *depth)
+void ew_depth_input_release(const ew_gl *gl, const ew_depth_input *depth)
 {
     for (int i = 0; i < EW_DEPTH_PARAMETER_COUNT; i++)
         if (depth->changed[i]) gl->TexParameteri(depth->target, parameters[i].name, depth->parameters[i]);

@@ -1,0 +1,91 @@
+// The published method for curves: the nearest point by Cardano's formula, once a sample (section 2.3 and appendix A).
+
+// The curve as (8) has it, C(tau) = c2 tau^2 + c1 tau + c0.
+struct ew_polynomial_curve {
+    vec3 c0;
+    vec3 c1;
+    vec3 c2;
+    bool has_vertex; // at c0: c1 and c2 are perpendicular
+    float first;
+    float last;
+};
+
+float ew_cube_root(float x)
+{
+    return sign(x) * pow(abs(x), 1.0 / 3.0);
+}
+
+// The real roots of x^3 + a x^2 + b x + c = 0, appendix A with its misprints mended: theta = atan2(sqrt(-r), -q), u and v paired
+// so that u v = -p, and each root shifted by -a/3. Where there is one real root, it is returned three times.
+vec3 ew_cubic_roots(float a, float b, float c)
+{
+    float p = b / 3.0 - a * a / 9.0;
+    float q = a * a * a / 27.0 - a * b / 6.0 + c / 2.0;
+    float r = p * p * p + q * q;
+    float shift = -a / 3.0;
+    if (r >= 0.0) {
+        float u = ew_cube_root(q > 0.0 ? -q - sqrt(r) : -q + sqrt(r));
+        return vec3((u == 0.0 ? 0.0 : u - p / u) + shift);
+    }
+    float theta = atan(sqrt(-r), -q);
+    vec3 angles = (vec3(0.0, 1.0, 2.0) * 6.28318530718 + theta) / 3.0;
+    return 2.0 * sqrt(-p) * cos(angles) + shift;
+}
+
+// The steps 1 to 5 of section 2.3: the stationary points of the distance inside the domain, and both ends. (12) lacks P in its
+// linear coefficient; it is 2 C2.(C0 - P) + |C1|^2.
+float ew_nearest_on_curve(ew_polynomial_curve curve, vec3 position, out float nearest_tau)
+{
+    vec3 offset = curve.c0 - position;
+    float cubic = 2.0 * ew_length_squared(curve.c2);
+    float quadratic = 3.0 * dot(curve.c1, curve.c2);
+    float linear = 2.0 * dot(curve.c2, offset) + ew_length_squared(curve.c1);
+    float constant = dot(curve.c1, offset);
+    vec3 roots;
+    if (curve.has_vertex) {
+        roots = ew_cubic_roots(0.0, linear / cubic, constant / cubic);
+    } else {
+        // Nearly straight: the cubic's leading coefficient means nothing in single precision, Newton's method does.
+        float tau = -constant / linear;
+        for (int i = 0; i < 2; ++i)
+            tau -= (((cubic * tau + quadratic) * tau + linear) * tau + constant) /
+                   ((3.0 * cubic * tau + 2.0 * quadratic) * tau + linear);
+        roots = vec3(tau);
+    }
+    float candidates[5] = float[5](curve.first, curve.last, roots.x, roots.y, roots.z);
+    float least = 1e38;
+    for (int i = 0; i < 5; ++i) {
+        float tau = clamp(candidates[i], curve.first, curve.last);
+        float distance_squared = ew_length_squared(offset + tau * (curve.c1 + tau * curve.c2));
+        if (distance_squared < least) {
+            least = distance_squared;
+            nearest_tau = tau;
+        }
+    }
+    return least;
+}
+
+ew_polynomial_curve ew_make_polynomial_curve(ew_curve_block block)
+{
+    ew_polynomial_curve curve;
+    curve.c0 = block.origin.xyz;
+    curve.c1 = block.axis_x.w * block.axis_x.xyz + block.axis_y.w * block.axis_y.xyz;
+    curve.c2 = block.axis_z.w * block.axis_y.xyz;
+    curve.has_vertex = block.axis_y.w == 0.0 && block.axis_z.w > 0.0;
+    curve.first = block.domain.x;
+    curve.last = block.domain.y;
+    return curve;
+}
+
+// The squared distance from `position` to the curve, and the weight at the nearest point.
+float ew_distance_squared(ew_curve_block block, vec3 position, out float weight)
+{
+    ew_polynomial_curve curve = ew_make_polynomial_curve(block);
+    float tau;
+    float distance_squared = ew_nearest_on_curve(curve, position, tau);
+    weight = 1.0;
+#ifdef EW_WEIGHTS
+    if (block.domain.w > 0.0) weight = ew_weight(tau - curve.first, block.domain.z, block.domain.w);
+#endif
+    return distance_squared;
+}

@@ -1,0 +1,204 @@
+/* Executes plans: see execute.h. */
+#include "host/execute.h"
+
+#include "base/error.h"
+#include "host/state_guard.h"
+
+ew_result ew_device_create(ew_device *device, const ew_effect_desc *desc, ew_error *error)
+{
+    *device = (ew_device){0};
+    ew_result result = ew_gl_load(&device->gl, desc->get_proc_address, desc->user, error);
+    if (result != EW_OK) return result;
+    const ew_gl *gl = &device->gl;
+    gl->GenBuffers(1, &device->uniform_buffer);
+    gl->GenSamplers(1, &device->depth_sampler);
+    gl->SamplerParameteri(device->depth_sampler, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    gl->SamplerParameteri(device->depth_sampler, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    gl->SamplerParameteri(device->depth_sampler, GL_TEXTURE_COMPARE_MODE, GL_NONE);
+    return EW_OK;
+}
+
+void ew_device_destroy(ew_device *device, const ew_allocator *allocator)
+{
+    const ew_gl *gl = &device->gl;
+    ew_program_cache_destroy(&device->programs, gl, allocator);
+    ew_depth_copy_destroy(&device->depth_copy, gl);
+    gl->DeleteSamplers(1, &device->depth_sampler);
+    gl->DeleteBuffers(1, &device->uniform_buffer);
+}
+
+/* ---- Uniforms ---- */
+
+/* Fills the uniform buffer, which it leaves bound. Its storage is orphaned first: the GPU may still be reading what the last
+ * frame left there, and waiting for it would stall. Orphaning leaves it to the driver to keep as many copies as frames are
+ * under way, which a ring of our own would have to guess, or learn from fences; and the buffer is small enough that a new one
+ * costs the driver nothing. */
+static void fill_uniform_buffer(const ew_device *device, const ew_plan *plan)
+{
+    const ew_gl *gl = &device->gl;
+    size_t head = sizeof plan->uniforms;
+    size_t size = head + ew_gl_dialect(gl).capacity * sizeof(ew_vec4);
+    gl->BindBuffer(GL_UNIFORM_BUFFER, device->uniform_buffer);
+    gl->BufferData(GL_UNIFORM_BUFFER, (GLsizeiptr)size, NULL, GL_STREAM_DRAW);
+    gl->BufferSubData(GL_UNIFORM_BUFFER, 0, (GLsizeiptr)head, &plan->uniforms);
+    if (plan->source_data_size > 0)
+        gl->BufferSubData(GL_UNIFORM_BUFFER, (GLintptr)head, (GLsizeiptr)plan->source_data_size, plan->source_data);
+}
+
+void ew_upload(const ew_device *device, const ew_plan *plan)
+{
+    GLuint bound = ew_gl_uniform_buffer(&device->gl);
+    fill_uniform_buffer(device, plan);
+    device->gl.BindBuffer(GL_UNIFORM_BUFFER, bound);
+}
+
+/* ---- Drawing ---- */
+
+/* Four vertices are the quad; the next ones lie beyond its upper edge, and the triangles that they make are clipped away. */
+enum { QUAD_VERTEX = 0, OUTSIDE_VERTEX = 4, QUAD_VERTEX_COUNT = 4 };
+
+static void draw_quad(const ew_gl *gl, GLint first_vertex)
+{
+    gl->DrawArrays(GL_TRIANGLE_STRIP, first_vertex, QUAD_VERTEX_COUNT);
+}
+
+/* Draws each sample of the target with its own depth, or, where the target has other samples, each pixel with them all. Masks
+ * do what gl_SampleID would, in every context that has multisampled textures. */
+static void draw_samples(const ew_gl *gl, GLuint program, GLint samples, GLint first_vertex)
+{
+    GLint target_samples = 0, location = gl->GetUniformLocation(program, "ew_samples");
+    gl->GetIntegerv(GL_SAMPLES, &target_samples);
+    if (target_samples != samples) {
+        gl->Uniform2i(location, 0, samples);
+        draw_quad(gl, first_vertex);
+        return;
+    }
+    if (gl->multisample) gl->Enable(GL_MULTISAMPLE);
+    gl->Enable(GL_SAMPLE_MASK);
+    for (GLint i = 0; i < samples; i++) {
+        gl->SampleMaski(0, (GLbitfield)1 << i);
+        gl->Uniform2i(location, i, i + 1);
+        draw_quad(gl, first_vertex);
+    }
+    gl->Disable(GL_SAMPLE_MASK);
+}
+
+static ew_result draw(ew_device *device, const ew_plan *plan, ew_depth_kind depth_kind, GLuint program, GLint first_vertex,
+                      ew_error *error)
+{
+    const ew_gl *gl = &device->gl;
+    ew_depth_input depth;
+    ew_result result = ew_depth_input_bind(&device->depth_copy, gl, plan, depth_kind, &depth, error);
+    if (result != EW_OK) return result;
+    gl->BindSampler(EW_GL_DEPTH_TEXTURE_UNIT, device->depth_sampler);
+    fill_uniform_buffer(device, plan);
+    gl->BindBufferBase(GL_UNIFORM_BUFFER, EW_GL_UNIFORM_BINDING, device->uniform_buffer);
+    gl->UseProgram(program);
+    /* Vertex arrays are not shared between contexts, and one without attributes costs nothing to make. */
+    GLuint vertex_array;
+    gl->GenVertexArrays(1, &vertex_array);
+    gl->BindVertexArray(vertex_array);
+    if (depth.samples > 0)
+        draw_samples(gl, program, depth.samples, first_vertex);
+    else
+        draw_quad(gl, first_vertex);
+    gl->DeleteVertexArrays(1, &vertex_array);
+    ew_depth_input_release(gl, &depth);
+    return EW_OK;
+}
+
+/* ---- Plans ---- */
+
+/* The state in which the plan is drawn. Its shader's alpha is min(1, B). */
+static ew_gl_draw_state draw_state(const ew_target *target)
+{
+    static const struct {
+        GLenum destination_rgb, source_alpha, destination_alpha;
+    } factors[] = {[EW_BLEND_REPLACE] = {GL_ONE, GL_ZERO, GL_ONE},
+                   [EW_BLEND_OVER] = {GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA},
+                   [EW_BLEND_ADD] = {GL_ONE, GL_ZERO, GL_ONE}};
+    const ew_viewport *viewport = &target->viewport;
+    return (ew_gl_draw_state){
+        .framebuffer = target->framebuffer,
+        .viewport = {viewport->x, viewport->y, viewport->width, viewport->height},
+        .blend = target->blend != EW_BLEND_REPLACE,
+        .source_rgb = GL_ONE,
+        .destination_rgb = factors[target->blend].destination_rgb,
+        .source_alpha = factors[target->blend].source_alpha,
+        .destination_alpha = factors[target->blend].destination_alpha,
+        .framebuffer_srgb = target->encodes_srgb,
+    };
+}
+
+/* What the context can tell of a plan's names before any state is touched. */
+static ew_result check_names(const ew_gl *gl, const ew_plan *plan, ew_error *error)
+{
+    unsigned framebuffer = plan->target.framebuffer;
+    const ew_depth_request *depth = &plan->depth;
+    if (framebuffer && !gl->IsFramebuffer(framebuffer))
+        return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "framebuffer %u is none of this context's", framebuffer);
+    if (depth->source == EW_DEPTH_TEXTURE_MULTISAMPLE && !gl->SampleMaski)
+        return ew_fail(error, EW_ERROR_INVALID_ARGUMENT,
+                       "depth_source is EW_DEPTH_TEXTURE_MULTISAMPLE, but OpenGL ES has multisampled textures from 3.1 on, and "
+                       "this context is older");
+    if (depth->source != EW_DEPTH_FRAMEBUFFER && depth->texture && !gl->IsTexture(depth->texture))
+        return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "depth_texture %u is no texture", depth->texture);
+    return EW_OK;
+}
+
+/* What is done with a plan within the guard: ew_execute's part, or ew_execute_ahead's. */
+typedef struct plan_task {
+    const ew_plan *plan;
+    const ew_allocator *allocator;
+    bool *is_ready; /* NULL: draw; else prepare */
+} plan_task;
+
+static ew_result draw_in_state(ew_device *device, const plan_task *task, ew_gl_state *state, ew_error *error)
+{
+    const ew_gl *gl = &device->gl;
+    const ew_plan *plan = task->plan;
+    ew_gl_draw_state wanted = draw_state(&plan->target);
+    ew_gl_set_draw_state(gl, state, &wanted);
+    if (gl->CheckFramebufferStatus(GL_DRAW_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
+        return ew_fail(error, EW_ERROR_OPENGL, "framebuffer %u is not complete", plan->target.framebuffer);
+
+    ew_depth_kind depth = ew_depth_input_kind(gl, &plan->depth);
+    unsigned key = ew_permutation_with_depth(plan->permutation, depth);
+    GLuint program;
+    ew_result result = task->is_ready ? ew_program_prepare(&device->programs, gl, task->allocator, key, &program, error)
+                                      : ew_program_get(&device->programs, gl, task->allocator, key, &program, error);
+    if (result == EW_OK && program)
+        result = draw(device, plan, depth, program, task->is_ready ? OUTSIDE_VERTEX : QUAD_VERTEX, error);
+    if (result == EW_OK && task->is_ready) *task->is_ready = program != 0;
+    return result;
+}
+
+static ew_result execute(ew_device *device, const plan_task *task, ew_error *error)
+{
+    const ew_gl *gl = &device->gl;
+    ew_result result = check_names(gl, task->plan, error);
+    if (result != EW_OK) return result;
+    ew_gl_state state;
+    if (task->plan->skips_restore) {
+        ew_gl_assume_state(gl, &state);
+        result = draw_in_state(device, task, &state, error);
+        ew_gl_restore_objects(gl, &state);
+        return result;
+    }
+    result = ew_gl_save_state(gl, &state, error);
+    if (result != EW_OK) return result;
+    result = draw_in_state(device, task, &state, error);
+    ew_gl_restore_state(gl, &state);
+    return result;
+}
+
+ew_result ew_execute(ew_device *device, const ew_plan *plan, const ew_allocator *allocator, ew_error *error)
+{
+    return execute(device, &(plan_task){plan, allocator, NULL}, error);
+}
+
+ew_result ew_execute_ahead(ew_device *device, const ew_plan *plan, const ew_allocator *allocator, bool *is_ready,
+                           ew_error *error)
+{
+    return execute(device, &(plan_task){plan, allocator, is_ready}, error);
+}

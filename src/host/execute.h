@@ -1,0 +1,35 @@
+/* Executes plans with the host's GL. */
+#ifndef EW_EXECUTE_H
+#define EW_EXECUTE_H
+
+#include "host/depth_input.h"
+#include "host/gl.h"
+#include "host/program_cache.h"
+#include "plan/plan.h"
+
+/* The GL objects of an effect, and the context's functions. */
+typedef struct ew_device {
+    ew_gl gl;
+    ew_program_cache programs;
+    ew_depth_copy depth_copy;
+    GLuint depth_sampler; /* reads depth as it is, whatever the texture's own parameters say */
+    GLuint uniform_buffer;
+} ew_device;
+
+/* Makes the device of the current context. On failure there is nothing to destroy. */
+ew_result ew_device_create(ew_device *device, const ew_effect_desc *desc, ew_error *error);
+
+void ew_device_destroy(ew_device *device, const ew_allocator *allocator);
+
+/* Draws the plan. Waits for a compiler if no program is ready that can. */
+ew_result ew_execute(ew_device *device, const ew_plan *plan, const ew_allocator *allocator, ew_error *error);
+
+/* Starts to make the plan's program, and if it is ready draws the plan outside of the view: some drivers finish shaders only in
+ * a first draw. */
+ew_result ew_execute_ahead(ew_device *device, const ew_plan *plan, const ew_allocator *allocator, bool *is_ready,
+                           ew_error *error);
+
+/* Fills the uniform buffer as the plan says, and leaves all bindings as they were. */
+void ew_upload(const ew_device *device, const ew_plan *plan);
+
+#endif

@@ -1,0 +1,102 @@
+/*
+ * The kinds of sources, one row each. Lists, capacity, the uniform block, shader permutations and error texts are all driven by
+ * these rows. A kind's own file has its row and the functions in it.
+ */
+#ifndef EW_KINDS_H
+#define EW_KINDS_H
+
+#include "model/layout.h"
+#include "model/ray_space.h"
+
+#include "energywave.h"
+
+#include <stddef.h>
+
+/* A source in messages: "curves[2]". */
+typedef struct ew_source_name {
+    const char *list;
+    size_t index;
+} ew_source_name;
+
+/* The members with which the structure of every kind ends. */
+typedef struct ew_emission {
+    double coefficient;
+    double color[3];
+} ew_emission;
+
+/* A source's weights along its length, as the uniform block has them; pieces is 0 for a source without. */
+typedef struct ew_weight_range {
+    size_t first_piece;
+    size_t piece_count;
+    double mean; /* of the weights; 1 for a source without */
+} ew_weight_range;
+
+/* The host's weights of a source; none has a count of 0. */
+typedef struct ew_weight_list {
+    const double *values;
+    size_t count;
+} ew_weight_list;
+
+/* The most files of GLSL that one kind has. */
+enum { EW_KIND_MAX_FILES = 4 };
+
+typedef struct ew_kind {
+    const char *name;       /* "point": ew_point(i) and ew_point_block in GLSL */
+    const char *upper_name; /* "POINT": EW_POINT_COUNT in GLSL */
+    const char *list_name;  /* "points" */
+    size_t size;            /* of ew_point */
+    size_t emission_offset; /* of its ew_emission */
+    size_t list_offset;     /* of its list in ew_sources_desc */
+    size_t count_offset;    /* of the list's count there */
+    size_t mix_offset;      /* of its count in ew_mix */
+    size_t block_size;      /* of struct ew_point_block, a multiple of sizeof(ew_vec4) */
+    size_t color_offset;    /* of the block's `color` */
+
+    /* Checks what is the kind's own: shape and weights. */
+    ew_result (*check)(const void *source, const ew_source_name *name, ew_error *error);
+    /* NULL for a kind that has no weights. */
+    ew_weight_list (*weights)(const void *source);
+    /* Brings a checked source to ray space, in double precision until the last step, and fills all of its block but `color`.
+     * Refuses what is too far away or too large there. */
+    ew_result (*pack)(const void *source, const ew_source_name *name, const ew_ray_space *space, const ew_weight_range *weights,
+                      void *block, ew_error *error);
+
+    /* GLSL files, in order: for the adaptive integrator, and for those that only sample the field. */
+    const char *adaptive_files[EW_KIND_MAX_FILES];
+    const char *sampling_files[EW_KIND_MAX_FILES];
+} ew_kind;
+
+/* The part of a row that the names of a kind make: EW_KIND_NAMES(point, POINT, points). */
+#define EW_KIND_NAMES(kind, KIND, kinds)                                                                                       \
+    .name = #kind, .upper_name = #KIND, .list_name = #kinds, .size = sizeof(ew_##kind),                                        \
+    .emission_offset = offsetof(ew_##kind, coefficient), .list_offset = offsetof(ew_sources_desc, kinds),                      \
+    .count_offset = offsetof(ew_sources_desc, kind##_count), .mix_offset = offsetof(ew_mix, kind##_count),                     \
+    .block_size = sizeof(struct ew_##kind##_block), .color_offset = offsetof(struct ew_##kind##_block, color)
+
+/* Holds what EW_KIND_NAMES relies on, and the limit of the kind in the public header. */
+#define EW_CHECK_KIND(kind, kinds_limit)                                                                                       \
+    _Static_assert(offsetof(ew_##kind, color) - offsetof(ew_##kind, coefficient) == offsetof(ew_emission, color),              \
+                   #kind " must end as ew_emission");                                                                          \
+    _Static_assert(sizeof(struct ew_##kind##_block) % sizeof(ew_vec4) == 0, #kind " must consist of vec4");                    \
+    _Static_assert((kinds_limit) == EW_MAX_SOURCE_UNITS * sizeof(ew_vec4) / sizeof(struct ew_##kind##_block),                  \
+                   #kind " takes other units in the public header")
+
+/* All rows, in the order in which the uniform block has the sources. */
+extern const ew_kind *const ew_kinds[EW_KIND_COUNT];
+
+/* The units (vec4) that a source of the kind takes, without weights. */
+size_t ew_kind_units(const ew_kind *kind);
+
+const ew_emission *ew_source_emission(const ew_kind *kind, const void *source);
+
+/* ---- For the rows: each refuses with a text that names the field ---- */
+
+ew_result ew_check_vector(const ew_source_name *name, const char *field, const double v[3], ew_error *error);
+
+/* Finite, and not zero. */
+ew_result ew_check_direction(const ew_source_name *name, const char *field, const double v[3], ew_error *error);
+
+/* Coordinates in ray space. */
+ew_result ew_check_coordinates(const ew_source_name *name, const double v[3], ew_error *error);
+
+#endif

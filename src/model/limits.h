@@ -1,0 +1,15 @@
+/* The ranges inside which no intermediate result of the shader overflows a float or vanishes in one. They are far outside
+ * anything that could be seen. */
+#ifndef EW_LIMITS_H
+#define EW_LIMITS_H
+
+#define EW_MAX_COORDINATE 1e6 /* in lengths of the interval */
+#define EW_MIN_EPSILON 1e-12  /* in lengths of the interval */
+#define EW_MAX_COEFFICIENT 1e12
+#define EW_MAX_COLOR 65504.0 /* the largest half float */
+#define EW_MIN_BETA 1e-6
+#define EW_MAX_BETA 1e6
+#define EW_MAX_INTERVAL_RATIO 1e12
+#define EW_MAX_WINDOW_DEPTH 1e15
+
+#endif

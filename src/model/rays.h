@@ -1,0 +1,30 @@
+/* The rays of a view through an interval of depths, as the shader gets them: see struct ew_frame_block. */
+#ifndef EW_RAYS_H
+#define EW_RAYS_H
+
+#include "model/ray_space.h"
+#include "model/view.h"
+
+/* The view depths of S and E, between which all rays run. */
+typedef struct ew_interval {
+    double start, end;
+} ew_interval;
+
+/* Checks an interval that is seen in a checked view. */
+ew_result ew_check_interval(const ew_interval *interval, const ew_view *view, ew_error *error);
+
+/* Checks that no ray, nor its window depth, leaves the range of the shader's numbers. */
+ew_result ew_check_rays(const ew_view *view, const ew_interval *interval, ew_error *error);
+
+/* A rectangle of pixels. */
+typedef struct ew_viewport {
+    int x, y, width, height;
+} ew_viewport;
+
+/* Fills the members of `block` from which a pixel of the viewport gets its ray, and from its window depth its end. */
+void ew_pack_rays(const ew_view *view, const ew_interval *interval, const ew_viewport *viewport, struct ew_frame_block *block);
+
+/* Fills the rows that bring what is relative to the eye to ray space, for shaders of the host's. */
+void ew_pack_ray_space(const ew_ray_space *space, struct ew_frame_block *block);
+
+#endif

@@ -1,0 +1,235 @@
+/* The host's sources: see sources.h. */
+#include "model/sources.h"
+
+#include "base/error.h"
+#include "model/limits.h"
+#include "model/vector.h"
+#include "model/weights.h"
+
+#include <string.h>
+
+_Static_assert(EW_MAX_SOURCE_UNITS * sizeof(ew_vec4) + sizeof(struct ew_uniform_head) <= 65536,
+               "the uniform block is too large");
+
+size_t ew_sources_capacity(size_t block_size)
+{
+    size_t units = (block_size - sizeof(struct ew_uniform_head)) / sizeof(ew_vec4);
+    return units < EW_MAX_SOURCE_UNITS ? units : EW_MAX_SOURCE_UNITS;
+}
+
+/* ---- The host's description ---- */
+
+static size_t count_in(const ew_sources_desc *desc, const ew_kind *kind)
+{
+    size_t count;
+    memcpy(&count, (const char *)desc + kind->count_offset, sizeof count);
+    return count;
+}
+
+static const char *list_in(const ew_sources_desc *desc, const ew_kind *kind)
+{
+    const char *list;
+    memcpy(&list, (const char *)desc + kind->list_offset, sizeof list);
+    return list;
+}
+
+static ew_weight_list weights_of(const ew_kind *kind, const void *source)
+{
+    return kind->weights ? kind->weights(source) : (ew_weight_list){NULL, 0};
+}
+
+static size_t count_weight_pieces(const ew_sources_desc *desc)
+{
+    size_t pieces = 0;
+    for (int k = 0; k < EW_KIND_COUNT; ++k)
+        for (size_t i = 0; ew_kinds[k]->weights && i < count_in(desc, ew_kinds[k]); ++i)
+            pieces += ew_weight_piece_count(weights_of(ew_kinds[k], list_in(desc, ew_kinds[k]) + i * ew_kinds[k]->size).count);
+    return pieces;
+}
+
+/* ---- Checks ---- */
+
+static ew_result check_list(const ew_sources_desc *desc, const ew_kind *kind, ew_error *error)
+{
+    size_t count = count_in(desc, kind);
+    if (list_in(desc, kind) || count == 0) return EW_OK;
+    return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "%s must not be NULL with a count of %zu", kind->list_name, count);
+}
+
+/* Takes what `count` elements need from the units that are left. */
+static ew_result take_units(const char *elements, size_t count, size_t units, size_t *left, size_t capacity, ew_error *error)
+{
+    if (count > *left / units)
+        return ew_fail(error, EW_ERROR_TOO_MANY_SOURCES,
+                       "%zu %s of %zu units each are too many: this context takes %zu units of sources, of which %zu are left",
+                       count, elements, units, capacity, *left);
+    *left -= count * units;
+    return EW_OK;
+}
+
+static ew_result check_emission(const ew_emission *emission, const ew_source_name *name, ew_error *error)
+{
+    if (!(isfinite(emission->coefficient) && emission->coefficient >= 0))
+        return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "%s[%zu].coefficient must be finite and >= 0", name->list,
+                       name->index);
+    for (int i = 0; i < 3; ++i)
+        if (!(emission->color[i] >= 0 && emission->color[i] <= EW_MAX_COLOR))
+            return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "%s[%zu].color must be in [0, %g]", name->list, name->index,
+                           EW_MAX_COLOR);
+    return EW_OK;
+}
+
+static ew_result check_sources_of(const ew_sources_desc *desc, const ew_kind *kind, ew_error *error)
+{
+    for (size_t i = 0; i < count_in(desc, kind); ++i) {
+        const char *source = list_in(desc, kind) + i * kind->size;
+        ew_source_name name = {kind->list_name, i};
+        ew_result result = kind->check(source, &name, error);
+        if (result == EW_OK) result = check_emission(ew_source_emission(kind, source), &name, error);
+        if (result != EW_OK) return result;
+    }
+    return EW_OK;
+}
+
+/* Counts come first: no source is looked at before all of them are known to fit. */
+static ew_result check(const ew_sources_desc *desc, size_t capacity, ew_error *error)
+{
+    if (!desc) return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "sources must not be NULL");
+    if (!(isfinite(desc->epsilon) && desc->epsilon > 0))
+        return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "epsilon must be finite and > 0");
+    ew_result result = EW_OK;
+    size_t left = capacity;
+    for (int k = 0; k < EW_KIND_COUNT && result == EW_OK; ++k)
+        result = check_list(desc, ew_kinds[k], error);
+    for (int k = 0; k < EW_KIND_COUNT && result == EW_OK; ++k)
+        result =
+            take_units(ew_kinds[k]->list_name, count_in(desc, ew_kinds[k]), ew_kind_units(ew_kinds[k]), &left, capacity, error);
+    for (int k = 0; k < EW_KIND_COUNT && result == EW_OK; ++k)
+        result = check_sources_of(desc, ew_kinds[k], error);
+    if (result != EW_OK) return result;
+    return take_units("pieces of weights", count_weight_pieces(desc), sizeof(struct ew_weight_block) / sizeof(ew_vec4), &left,
+                      capacity, error);
+}
+
+/* ---- Memory ---- */
+
+/* Hands out the next `size` bytes of an allocation, or only counts them while there is none yet. */
+static void *carve(char *memory, size_t *used, size_t size)
+{
+    void *part = memory ? memory + *used : NULL;
+    *used += size;
+    return part;
+}
+
+/* Lays the arrays out in `memory`; with NULL, only returns how much is needed. Doubles and pointers come first, so that all is
+ * aligned. */
+static size_t lay_out(const ew_sources_desc *desc, char *memory, ew_sources *sources)
+{
+    size_t used = 0, with_weights = 0, units = 0;
+    for (int k = 0; k < EW_KIND_COUNT; ++k) {
+        const ew_kind *kind = ew_kinds[k];
+        size_t count = count_in(desc, kind);
+        sources->counts[k] = count;
+        sources->lists[k] = carve(memory, &used, count * kind->size);
+        if (kind->weights) with_weights += count;
+        units += count * ew_kind_units(kind);
+    }
+    sources->weights = carve(memory, &used, with_weights * sizeof *sources->weights);
+    sources->weight_piece_count = count_weight_pieces(desc);
+    sources->data_size = units * sizeof(ew_vec4) + sources->weight_piece_count * sizeof(struct ew_weight_block);
+    sources->data = carve(memory, &used, sources->data_size);
+    return used;
+}
+
+static size_t weight_pieces_offset(const ew_sources *sources)
+{
+    return sources->data_size - sources->weight_piece_count * sizeof(struct ew_weight_block);
+}
+
+/* Copies the sources, and makes their weight pieces, which no frame changes. */
+static void copy_sources(const ew_sources_desc *desc, ew_sources *sources)
+{
+    struct ew_weight_block *pieces = NULL;
+    if (sources->weight_piece_count > 0) pieces = (void *)((char *)sources->data + weight_pieces_offset(sources));
+    ew_weight_range *range = sources->weights;
+    size_t first_piece = 0;
+    for (int k = 0; k < EW_KIND_COUNT; ++k) {
+        const ew_kind *kind = ew_kinds[k];
+        if (sources->counts[k] > 0) memcpy(sources->lists[k], list_in(desc, kind), sources->counts[k] * kind->size);
+        for (size_t i = 0; kind->weights && i < sources->counts[k]; ++i) {
+            ew_weight_list list = weights_of(kind, list_in(desc, kind) + i * kind->size);
+            *range = (ew_weight_range){first_piece, ew_weight_piece_count(list.count), ew_mean_weight(list)};
+            if (list.count > 0) ew_make_weight_pieces(list, pieces + first_piece);
+            first_piece += range->piece_count;
+            ++range;
+        }
+    }
+}
+
+ew_result ew_sources_set(ew_sources *sources, const ew_sources_desc *desc, size_t capacity, const ew_allocator *allocator,
+                         ew_error *error)
+{
+    ew_result result = check(desc, capacity, error);
+    if (result != EW_OK) return result;
+    ew_sources made = {.memory = sources->memory, .memory_size = sources->memory_size, .epsilon = desc->epsilon};
+    size_t size = lay_out(desc, NULL, &made);
+    if (size > made.memory_size) {
+        made.memory = allocator->allocate(allocator->user, size);
+        if (!made.memory) return ew_fail(error, EW_ERROR_OUT_OF_MEMORY, "no memory for %zu bytes of sources", size);
+        made.memory_size = size;
+        ew_sources_destroy(sources, allocator);
+    }
+    lay_out(desc, made.memory, &made);
+    copy_sources(desc, &made);
+    *sources = made;
+    return EW_OK;
+}
+
+void ew_sources_destroy(ew_sources *sources, const ew_allocator *allocator)
+{
+    if (sources->memory) allocator->deallocate(allocator->user, sources->memory);
+    *sources = (ew_sources){0};
+}
+
+/* ---- What a frame asks ---- */
+
+ew_mix ew_sources_mix(const ew_sources *sources)
+{
+    ew_mix mix = {.has_weights = sources->weight_piece_count > 0};
+    for (int k = 0; k < EW_KIND_COUNT; ++k)
+        memcpy((char *)&mix + ew_kinds[k]->mix_offset, &sources->counts[k], sizeof sources->counts[k]);
+    return mix;
+}
+
+/* d ds = (length d') (ds), so that a coefficient over the interval's length makes B what it is in world units. */
+static ew_result pack_emission(const ew_emission *emission, const ew_source_name *name, double alpha, double length,
+                               ew_vec4 *color, ew_error *error)
+{
+    double scaled = emission->coefficient * alpha / length;
+    if (!(scaled <= EW_MAX_COEFFICIENT))
+        return ew_fail(error, EW_ERROR_INVALID_ARGUMENT,
+                       "%s[%zu].coefficient times decay_alpha over the interval's length must be at most %g", name->list,
+                       name->index, EW_MAX_COEFFICIENT);
+    *color = ew_pack(emission->color, scaled);
+    return EW_OK;
+}
+
+ew_result ew_sources_pack(ew_sources *sources, const ew_ray_space *space, double alpha, ew_error *error)
+{
+    char *block = sources->data;
+    const ew_weight_range *weights = sources->weights;
+    for (int k = 0; k < EW_KIND_COUNT; ++k) {
+        const ew_kind *kind = ew_kinds[k];
+        for (size_t i = 0; i < sources->counts[k]; ++i) {
+            const char *source = (const char *)sources->lists[k] + i * kind->size;
+            ew_source_name name = {kind->list_name, i};
+            ew_result result = kind->pack(source, &name, space, kind->weights ? weights++ : NULL, block, error);
+            if (result == EW_OK)
+                result = pack_emission(ew_source_emission(kind, source), &name, alpha, space->length,
+                                       (ew_vec4 *)(void *)(block + kind->color_offset), error);
+            if (result != EW_OK) return result;
+            block += kind->block_size;
+        }
+    }
+    return EW_OK;
+}

@@ -1,0 +1,40 @@
+/*
+ * The host's sources: checked, kept in double precision, and packed for a frame into the shader's uniform block.
+ */
+#ifndef EW_SOURCES_H
+#define EW_SOURCES_H
+
+#include "model/kinds.h"
+
+/* Starts as {0}. All arrays lie in one allocation; the blocks of all kinds and the weight pieces lie one after the other, as in
+ * the uniform block. */
+typedef struct ew_sources {
+    void *memory;
+    size_t memory_size;
+    double epsilon;
+    size_t counts[EW_KIND_COUNT];
+    void *lists[EW_KIND_COUNT]; /* copies of the host's */
+    ew_weight_range *weights;   /* one for each source of a kind that has weights, kind after kind */
+    void *data;                 /* what goes into the uniform block */
+    size_t data_size;
+    size_t weight_piece_count;
+} ew_sources;
+
+/* How many units (vec4) of sources a uniform block of `block_size` bytes holds. */
+size_t ew_sources_capacity(size_t block_size);
+
+/* Replaces what `sources` holds by a copy of `desc`, in the same memory if it is large enough. On failure `sources` is left
+ * alone. */
+ew_result ew_sources_set(ew_sources *sources, const ew_sources_desc *desc, size_t capacity, const ew_allocator *allocator,
+                         ew_error *error);
+
+void ew_sources_destroy(ew_sources *sources, const ew_allocator *allocator);
+
+/* What the sources are. */
+ew_mix ew_sources_mix(const ew_sources *sources);
+
+/* Brings the sources to ray space and fills `data`. Coefficients are scaled by `alpha` over the length of the interval, so that
+ * an integral over s in [0, 1] is one in world units. */
+ew_result ew_sources_pack(ew_sources *sources, const ew_ray_space *space, double alpha, ew_error *error);
+
+#endif

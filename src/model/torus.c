@@ -1,0 +1,40 @@
+/* Tori: circles of a radius. */
+#include "glsl_text.h"
+#include "model/kinds.h"
+#include "model/vector.h"
+
+#include "base/error.h"
+
+EW_CHECK_KIND(torus, EW_MAX_TORI);
+
+static ew_result check(const void *source, const ew_source_name *name, ew_error *error)
+{
+    const ew_torus *torus = source;
+    ew_result result = ew_check_vector(name, "center", torus->center, error);
+    if (result == EW_OK) result = ew_check_direction(name, "axis", torus->axis, error);
+    if (result != EW_OK) return result;
+    if (isfinite(torus->radius) && torus->radius >= 0) return EW_OK;
+    return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "%s[%zu].radius must be finite and >= 0", name->list, name->index);
+}
+
+static ew_result pack(const void *source, const ew_source_name *name, const ew_ray_space *space, const ew_weight_range *weights,
+                      void *block, ew_error *error)
+{
+    const ew_torus *torus = source;
+    struct ew_torus_block *packed = block;
+    (void)weights;
+    double center[3], axis[3], world_axis[3], radius = torus->radius / space->length;
+    ew_ray_space_place(space, torus->center, center);
+    ew_normalize(torus->axis, world_axis);
+    ew_ray_space_turn(space, world_axis, axis);
+    packed->center = ew_pack(center, 0);
+    packed->axis = ew_pack(axis, radius);
+    ew_result result = ew_check_coordinates(name, center, error);
+    return result == EW_OK ? ew_check_coordinates(name, (double[]){radius, 0, 0}, error) : result;
+}
+
+extern const ew_kind ew_torus_kind;
+const ew_kind ew_torus_kind = {
+    EW_KIND_NAMES(torus, TORUS, tori),      .check = check, .pack = pack, .adaptive_files = {ew_glsl_torus_glsl},
+    .sampling_files = {ew_glsl_torus_glsl},
+};

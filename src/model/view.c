@@ -1,0 +1,81 @@
+/* A view: see view.h. */
+#include "model/view.h"
+
+#include "base/error.h"
+#include "model/vector.h"
+
+ew_view ew_view_of(const ew_frame_desc *frame)
+{
+    return (ew_view){frame->view, frame->projection, frame->clip_depth};
+}
+
+static bool is_rigid(const double view[16])
+{
+    /* Loose enough for a host that keeps its matrices in floats. */
+    const double tolerance = 1e-4;
+    for (int i = 0; i < 3; ++i) {
+        if (ew_element(view, 3, i) != 0) return false;
+        for (int j = 0; j <= i; ++j)
+            if (!(fabs(ew_dot(&view[4 * i], &view[4 * j]) - (i == j)) <= tolerance)) return false;
+    }
+    return ew_element(view, 3, 3) == 1;
+}
+
+bool ew_is_parallel(const ew_view *view)
+{
+    return ew_element(view->projection, 3, 2) == 0;
+}
+
+static ew_result check_projection(const ew_view *view, ew_error *error)
+{
+    const double *p = view->projection;
+    bool parallel = ew_is_parallel(view);
+    double w = parallel ? ew_element(p, 3, 3) : -ew_element(p, 3, 2);
+    bool other_w = ew_element(p, 3, 0) != 0 || ew_element(p, 3, 1) != 0 || (!parallel && ew_element(p, 3, 3) != 0);
+    if (!ew_all_finite(p, 16) || other_w || !(w > 0))
+        return ew_fail(
+            error, EW_ERROR_INVALID_ARGUMENT,
+            "projection must be finite, its last row (0, 0, -w, 0) for perspective or (0, 0, 0, w) for parallel, w > 0");
+    if (ew_element(p, 0, 0) * ew_element(p, 1, 1) - ew_element(p, 0, 1) * ew_element(p, 1, 0) == 0)
+        return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "projection must not flatten x and y");
+    return EW_OK;
+}
+
+ew_result ew_check_view(const ew_view *view, ew_error *error)
+{
+    if (!ew_all_finite(view->view, 16) || !is_rigid(view->view))
+        return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "view must be finite, a rotation and a translation");
+    if ((unsigned)view->clip_depth > EW_CLIP_DEPTH_ZERO_TO_ONE)
+        return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "clip_depth must be one of ew_clip_depth");
+    return check_projection(view, error);
+}
+
+static double clip_w_at(const ew_view *view, double depth)
+{
+    return ew_is_parallel(view) ? ew_element(view->projection, 3, 3) : -ew_element(view->projection, 3, 2) * depth;
+}
+
+void ew_ray_at(const ew_view *view, double x, double y, double depth, double out[2])
+{
+    const double *p = view->projection;
+    double w = clip_w_at(view, depth);
+    double right[2], ndc[2] = {x, y};
+    for (int row = 0; row < 2; ++row)
+        right[row] = ndc[row] * w + ew_element(p, row, 2) * depth - ew_element(p, row, 3);
+    double a = ew_element(p, 0, 0), b = ew_element(p, 0, 1);
+    double c = ew_element(p, 1, 0), d = ew_element(p, 1, 1);
+    double determinant = a * d - b * c;
+    out[0] = (d * right[0] - b * right[1]) / determinant;
+    out[1] = (a * right[1] - c * right[0]) / determinant;
+}
+
+double ew_window_depth_at(const ew_view *view, double x, double y, double depth)
+{
+    const double *p = view->projection;
+    double position[2];
+    ew_ray_at(view, x, y, depth, position);
+    double ndc_depth = (ew_element(p, 2, 0) * position[0] + ew_element(p, 2, 1) * position[1] - ew_element(p, 2, 2) * depth +
+                        ew_element(p, 2, 3)) /
+                       clip_w_at(view, depth);
+    return view->clip_depth == EW_CLIP_DEPTH_ZERO_TO_ONE ? ndc_depth : 0.5 * ndc_depth + 0.5;
+}

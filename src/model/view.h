@@ -1,0 +1,28 @@
+/* A view: the camera as a host describes it, and its rays. It knows of no target. */
+#ifndef EW_VIEW_H
+#define EW_VIEW_H
+
+#include "energywave.h"
+
+#include <stdbool.h>
+
+typedef struct ew_view {
+    const double *view;       /* world to view, column-major */
+    const double *projection; /* view to clip */
+    ew_clip_depth clip_depth;
+} ew_view;
+
+ew_view ew_view_of(const ew_frame_desc *frame);
+
+/* Checks the matrices and clip_depth. */
+ew_result ew_check_view(const ew_view *view, ew_error *error);
+
+bool ew_is_parallel(const ew_view *view);
+
+/* Where the ray through NDC (x, y) is at view depth `depth`, in view space. */
+void ew_ray_at(const ew_view *view, double x, double y, double depth, double out[2]);
+
+/* Window depth at view depth `depth` on the ray through NDC (x, y). */
+double ew_window_depth_at(const ew_view *view, double x, double y, double depth);
+
+#endif

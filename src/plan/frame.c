@@ -1,0 +1,68 @@
+/* The checks of a frame: see frame.h. */
+#include "plan/frame.h"
+
+#include "base/error.h"
+#include "model/limits.h"
+#include "model/rays.h"
+
+/* An enumeration, or a choice between 0 and 1, that a host may have left unset. */
+typedef struct choice {
+    int value;
+    int last;
+    const char *text;
+} choice;
+
+static ew_result check_choices(const choice *choices, size_t count, ew_error *error)
+{
+    for (size_t i = 0; i < count; ++i)
+        if (choices[i].value < 0 || choices[i].value > choices[i].last)
+            return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "%s", choices[i].text);
+    return EW_OK;
+}
+
+static ew_result check_integrator(const ew_frame_desc *frame, ew_error *error)
+{
+    const choice choices[] = {
+        {(int)frame->integrator, EW_INTEGRATOR_SIMPSON, "integrator must be one of ew_integrator"},
+        {(int)frame->quality, EW_QUALITY_ERROR_1E_4, "quality must be one of ew_quality"},
+    };
+    ew_result result = check_choices(choices, sizeof choices / sizeof choices[0], error);
+    if (result != EW_OK || frame->integrator != EW_INTEGRATOR_SIMPSON) return result;
+    int n = frame->simpson_divisions;
+    if (n >= 2 && n % 2 == 0 && n <= EW_MAX_SIMPSON_DIVISIONS) return EW_OK;
+    return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "simpson_divisions must be even, from 2 to %d", EW_MAX_SIMPSON_DIVISIONS);
+}
+
+static ew_result check_decay(const ew_frame_desc *frame, ew_error *error)
+{
+    if (!(frame->decay_alpha >= 0 && frame->decay_alpha <= EW_MAX_COEFFICIENT))
+        return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "decay_alpha must be in [0, %g]", EW_MAX_COEFFICIENT);
+    if (!(frame->decay_beta >= EW_MIN_BETA && frame->decay_beta <= EW_MAX_BETA))
+        return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "decay_beta must be in [%g, %g]", EW_MIN_BETA, EW_MAX_BETA);
+    return EW_OK;
+}
+
+ew_result ew_check_integral(const ew_frame_desc *frame, ew_error *error)
+{
+    if (!frame) return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "frame must not be NULL");
+    const ew_view view = ew_view_of(frame);
+    const ew_interval interval = {frame->interval_start, frame->interval_end};
+    ew_result result = ew_check_view(&view, error);
+    if (result == EW_OK) result = ew_check_interval(&interval, &view, error);
+    if (result == EW_OK) result = check_decay(frame, error);
+    return result == EW_OK ? check_integrator(frame, error) : result;
+}
+
+ew_result ew_check_target(const ew_frame_desc *frame, ew_error *error)
+{
+    if (frame->viewport_width <= 0 || frame->viewport_height <= 0)
+        return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "viewport_width and viewport_height must be > 0");
+    const choice choices[] = {
+        {(int)frame->output, EW_OUTPUT_EVALUATIONS, "output must be one of ew_output"},
+        {(int)frame->encoding, EW_ENCODING_FLOAT, "encoding must be one of ew_encoding"},
+        {(int)frame->depth_source, EW_DEPTH_FRAMEBUFFER, "depth_source must be one of ew_depth_source"},
+        {frame->dither, 1, "dither must be 0 or 1"},
+        {frame->skip_restore, 1, "skip_restore must be 0 or 1"},
+    };
+    return check_choices(choices, sizeof choices / sizeof choices[0], error);
+}

@@ -1,0 +1,13 @@
+/* The checks of a frame that need no GL. */
+#ifndef EW_FRAME_H
+#define EW_FRAME_H
+
+#include "energywave.h"
+
+/* Checks what the integral depends on: view, interval, decay and integrator. */
+ew_result ew_check_integral(const ew_frame_desc *frame, ew_error *error);
+
+/* Checks where and how the light is drawn: viewport, output, encoding, dither, depth and restoration. */
+ew_result ew_check_target(const ew_frame_desc *frame, ew_error *error);
+
+#endif

@@ -1,0 +1,66 @@
+/* Shader permutations: see permutation.h. */
+#include "plan/permutation.h"
+
+#include <string.h>
+
+_Static_assert(EW_PERMUTATION_FLAG_COUNT + EW_KIND_COUNT * EW_PERMUTATION_COUNT_BITS <= 32, "a key has too few bits");
+_Static_assert(EW_ANY_COUNT < 1 << EW_PERMUTATION_COUNT_BITS, "a count has too few bits");
+
+static int count_shift(int kind)
+{
+    return EW_PERMUTATION_FLAG_COUNT + kind * EW_PERMUTATION_COUNT_BITS;
+}
+
+unsigned ew_permutation_count(unsigned key, int kind)
+{
+    return key >> count_shift(kind) & ((1u << EW_PERMUTATION_COUNT_BITS) - 1);
+}
+
+unsigned ew_permutation_with_count(unsigned key, int kind, size_t count)
+{
+    return key | (unsigned)(count < EW_ANY_COUNT ? count : EW_ANY_COUNT) << count_shift(kind);
+}
+
+static unsigned dither_of(const ew_frame_desc *frame)
+{
+    bool is_picture = frame->output == EW_OUTPUT_LERP || frame->output == EW_OUTPUT_ADD;
+    if (!frame->dither || !is_picture || frame->encoding == EW_ENCODING_FLOAT) return 0;
+    return EW_PERMUTATION_DITHER | (frame->encoding == EW_ENCODING_SRGB_8BIT ? (unsigned)EW_PERMUTATION_DITHER_SRGB : 0);
+}
+
+unsigned ew_permutation_of(const ew_mix *mix, const ew_frame_desc *frame)
+{
+    unsigned key = dither_of(frame);
+    bool takes_weights = false;
+    for (int kind = 0; kind < EW_KIND_COUNT; ++kind) {
+        size_t count;
+        memcpy(&count, (const char *)mix + ew_kinds[kind]->mix_offset, sizeof count);
+        key = ew_permutation_with_count(key, kind, count);
+        takes_weights = takes_weights || (ew_kinds[kind]->weights && count > 0);
+    }
+    if (mix->has_weights && takes_weights) key |= EW_PERMUTATION_WEIGHTS;
+    if (frame->integrator == EW_INTEGRATOR_SIMPSON) key |= EW_PERMUTATION_SIMPSON;
+    if (frame->output == EW_OUTPUT_LUMINANCE) key |= EW_PERMUTATION_LUMINANCE;
+    if (frame->output == EW_OUTPUT_EVALUATIONS) key |= EW_PERMUTATION_EVALUATIONS;
+    return key;
+}
+
+unsigned ew_permutation_with_depth(unsigned key, ew_depth_kind depth)
+{
+    static const unsigned flags[] = {[EW_DEPTH_KIND_NONE] = 0,
+                                     [EW_DEPTH_KIND_SINGLE] = EW_PERMUTATION_DEPTH,
+                                     [EW_DEPTH_KIND_MULTISAMPLE] = EW_PERMUTATION_DEPTH | EW_PERMUTATION_DEPTH_MULTISAMPLE};
+    return key | flags[depth];
+}
+
+bool ew_permutation_covers(unsigned key, unsigned other)
+{
+    const unsigned flags = ((1u << EW_PERMUTATION_FLAG_COUNT) - 1) & ~(unsigned)EW_PERMUTATION_WEIGHTS;
+    if ((key & flags) != (other & flags)) return false;
+    if (other & EW_PERMUTATION_WEIGHTS && !(key & EW_PERMUTATION_WEIGHTS)) return false;
+    for (int kind = 0; kind < EW_KIND_COUNT; ++kind)
+        if (ew_permutation_count(key, kind) != ew_permutation_count(other, kind) &&
+            ew_permutation_count(key, kind) != EW_ANY_COUNT)
+            return false;
+    return true;
+}

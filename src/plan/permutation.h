@@ -1,0 +1,44 @@
+/* Shader permutations: what a shader must know, as the bits of a key. Only what a frame needs is compiled. */
+#ifndef EW_PERMUTATION_H
+#define EW_PERMUTATION_H
+
+#include "model/kinds.h"
+
+#include <stdbool.h>
+
+/* The lowest bits of a key. */
+enum {
+    EW_PERMUTATION_WEIGHTS = 1 << 0,
+    EW_PERMUTATION_DEPTH = 1 << 1,
+    EW_PERMUTATION_SIMPSON = 1 << 2,
+    EW_PERMUTATION_LUMINANCE = 1 << 3,
+    EW_PERMUTATION_EVALUATIONS = 1 << 4,
+    EW_PERMUTATION_DEPTH_MULTISAMPLE = 1 << 5, /* with EW_PERMUTATION_DEPTH */
+    EW_PERMUTATION_DITHER = 1 << 6,
+    EW_PERMUTATION_DITHER_SRGB = 1 << 7, /* with EW_PERMUTATION_DITHER */
+    EW_PERMUTATION_FLAG_COUNT = 8,
+};
+
+/* Above the flags stand the counts of sources by kind, each in a field of EW_PERMUTATION_COUNT_BITS: a count up to
+ * EW_PERMUTATION_MAX_EXACT stands for itself, and EW_ANY_COUNT for any. */
+enum { EW_PERMUTATION_COUNT_BITS = 3, EW_PERMUTATION_MAX_EXACT = EW_ANY_COUNT - 1 };
+
+/* Where the shader reads the opaque scene's depth from. */
+typedef enum ew_depth_kind { EW_DEPTH_KIND_NONE, EW_DEPTH_KIND_SINGLE, EW_DEPTH_KIND_MULTISAMPLE } ew_depth_kind;
+
+/* The key of the shader that draws `mix` as `frame` says, without depth. */
+unsigned ew_permutation_of(const ew_mix *mix, const ew_frame_desc *frame);
+
+/* The key with that depth. */
+unsigned ew_permutation_with_depth(unsigned key, ew_depth_kind depth);
+
+/* The key with that many sources of a kind, none before. */
+unsigned ew_permutation_with_count(unsigned key, int kind, size_t count);
+
+/* The count of a kind, or EW_ANY_COUNT. */
+unsigned ew_permutation_count(unsigned key, int kind);
+
+/* Whether the shader of `key` draws all that the one of `other` does, if slower. */
+bool ew_permutation_covers(unsigned key, unsigned other);
+
+#endif

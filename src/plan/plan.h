@@ -1,0 +1,49 @@
+/*
+ * A plan: a frame and its sources, resolved once into what is to be drawn and how. It needs no GL; the host layer executes it.
+ */
+#ifndef EW_PLAN_H
+#define EW_PLAN_H
+
+#include "model/rays.h"
+#include "model/sources.h"
+#include "plan/permutation.h"
+
+/* What becomes of the shader's colour and the target's: see ew_output. */
+typedef enum ew_blend {
+    EW_BLEND_REPLACE,
+    EW_BLEND_OVER, /* premultiplied */
+    EW_BLEND_ADD,  /* alpha is left alone */
+} ew_blend;
+
+/* Where and how to draw. */
+typedef struct ew_target {
+    unsigned framebuffer;
+    ew_viewport viewport;
+    ew_blend blend;
+    bool encodes_srgb;
+} ew_target;
+
+/* Where the opaque scene's depth comes from. */
+typedef struct ew_depth_request {
+    ew_depth_source source;
+    unsigned texture; /* of the sources that are textures; 0: nothing is opaque */
+} ew_depth_request;
+
+typedef struct ew_plan {
+    unsigned permutation; /* without depth, whose kind the context must tell */
+    struct ew_uniform_head uniforms;
+    const void *source_data; /* behind the uniforms' head; the sources' own */
+    size_t source_data_size;
+    ew_target target;
+    ew_depth_request depth;
+    bool skips_restore;
+} ew_plan;
+
+/* Plans the uniforms alone, of a frame that has a view and needs no target. */
+ew_result ew_plan_uniforms(ew_plan *plan, ew_sources *sources, const ew_frame_desc *frame, ew_error *error);
+
+/* Plans the drawing of `sources` as `frame` says, with the shader for `mix`; NULL: for the sources. The plan is valid until the
+ * sources change or are planned again. */
+ew_result ew_plan_frame(ew_plan *plan, ew_sources *sources, const ew_mix *mix, const ew_frame_desc *frame, ew_error *error);
+
+#endif

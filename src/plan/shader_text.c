@@ -1,0 +1,234 @@
+/* The text of shaders: see shader_text.h. glsl/README.md tells the files' order and what each needs. */
+#include "plan/shader_text.h"
+
+#include "glsl_text.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+/* ---- Strings ---- */
+
+static void add(ew_shader_text *text, const char *string)
+{
+    text->strings[text->count++] = string;
+    text->ends_in_made = false;
+}
+
+#if defined(__GNUC__)
+__attribute__((format(printf, 2, 3)))
+#endif
+/* Adds to the last string if that is made, too. */
+static void
+add_made(ew_shader_text *text, const char *format, ...)
+{
+    if (!text->ends_in_made) {
+        add(text, text->made + text->made_used);
+        text->made_used++;
+        text->ends_in_made = true;
+    }
+    size_t end = text->made_used - 1;
+    va_list arguments;
+    va_start(arguments, format);
+    text->made_used += (size_t)vsnprintf(text->made + end, EW_SHADER_MAX_MADE - end, format, arguments);
+    va_end(arguments);
+}
+
+/* A file of glsl/. Where a driver shall name it in its messages, by its place in the shader, lines count from its first. */
+static void add_file(ew_shader_text *text, const char *file)
+{
+    if (text->numbers_lines) add_made(text, "#line 1 %d\n", text->file_count++);
+    add(text, file);
+}
+
+size_t ew_join_shader_text(const ew_shader_text *text, char *joined)
+{
+    size_t used = 0;
+    for (int i = 0; i < text->count; ++i) {
+        size_t length = strlen(text->strings[i]);
+        if (joined) memcpy(joined + used, text->strings[i], length + 1);
+        used += length;
+    }
+    return used;
+}
+
+/* ---- The head of a shader ---- */
+
+/* Multisampled textures came to OpenGL with GLSL 1.50, and to OpenGL ES with 3.10. */
+static void add_version(ew_shader_text *text, const ew_dialect *dialect, unsigned key)
+{
+    bool multisample = key & EW_PERMUTATION_DEPTH_MULTISAMPLE;
+    if (!dialect->es)
+        add(text, "#version 330 core\n");
+    else if (multisample)
+        add(text, "#version 310 es\nprecision highp float;\nprecision highp int;\nprecision highp sampler2DMS;\n");
+    else
+        add(text, "#version 300 es\nprecision highp float;\nprecision highp int;\nprecision highp sampler2D;\n");
+}
+
+/* How many vec4 the sources take as varyings; 0 where their number is not known, or too large. */
+static size_t source_varyings(const ew_dialect *dialect, unsigned key)
+{
+    size_t units = 0;
+    for (int kind = 0; kind < EW_KIND_COUNT; ++kind) {
+        if (ew_permutation_count(key, kind) == EW_ANY_COUNT) return 0;
+        units += ew_permutation_count(key, kind) * ew_kind_units(ew_kinds[kind]);
+    }
+    size_t head = sizeof(struct ew_uniform_head) / sizeof(ew_vec4);
+    return head + units <= (size_t)dialect->max_varying_vectors ? units : 0;
+}
+
+static void add_defines(ew_shader_text *text, const ew_dialect *dialect, unsigned key)
+{
+    static const char *const flags[EW_PERMUTATION_FLAG_COUNT] = {
+        "WEIGHTS", "DEPTH", "SIMPSON", "LUMINANCE", "EVALUATIONS", "DEPTH_MULTISAMPLE", "DITHER", "DITHER_SRGB"};
+    add_made(text, "#define EW_SOURCE_DATA_SIZE %zu\n", dialect->capacity);
+    for (int i = 0; i < EW_PERMUTATION_FLAG_COUNT; ++i)
+        if (key & 1u << i) add_made(text, "#define EW_%s\n", flags[i]);
+}
+
+/* The published method is a baseline, and reads its sources from the uniform block as it was published. */
+static void add_software_defines(ew_shader_text *text, const ew_dialect *dialect, unsigned key)
+{
+    if (key & EW_PERMUTATION_SIMPSON || !dialect->software) return;
+    add(text, "#define EW_SOFTWARE\n");
+    size_t varyings = source_varyings(dialect, key);
+    if (varyings > 0) add_made(text, "#define EW_SOURCE_VARYINGS %zu\n", varyings);
+}
+
+/* ---- Sources ---- */
+
+/* Where the sources of a kind start in the block, as an expression: all of the kinds before it. EW_KIND_COUNT asks for the end
+ * of the last. */
+static void add_start(ew_shader_text *text, int kind, unsigned key)
+{
+    size_t known = 0;
+    for (int before = 0; before < kind; ++before) {
+        unsigned count = ew_permutation_count(key, before);
+        if (count != EW_ANY_COUNT)
+            known += count * ew_kind_units(ew_kinds[before]);
+        else
+            add_made(text, "EW_%s_COUNT * %zu + ", ew_kinds[before]->upper_name, ew_kind_units(ew_kinds[before]));
+    }
+    add_made(text, "%zu", known);
+}
+
+/* EW_..._COUNT, and the function that reads source i of the kind: its block consists of vec4 and nothing else. */
+static void add_reader(ew_shader_text *text, int index, unsigned key)
+{
+    const ew_kind *kind = ew_kinds[index];
+    unsigned count = ew_permutation_count(key, index);
+    if (count == 0) return;
+    if (count == EW_ANY_COUNT)
+        add_made(text, "#define EW_%s_COUNT ew_source_counts[%d].%c\n", kind->upper_name, index / 4, "xyzw"[index % 4]);
+    else
+        add_made(text, "#define EW_%s_COUNT %u\n", kind->upper_name, count);
+    add_made(text, "#define EW_%s_START (", kind->upper_name);
+    add_start(text, index, key);
+    add_made(text, ")\new_%s_block ew_%s(int i)\n{\n    return ew_%s_block(", kind->name, kind->name, kind->name);
+    for (size_t unit = 0; unit < ew_kind_units(kind); ++unit)
+        add_made(text, "%sew_source(EW_%s_START + %zu, %zu, EW_%s_COUNT, i)", unit > 0 ? ", " : "", kind->upper_name, unit,
+                 ew_kind_units(kind), kind->upper_name);
+    add_made(text, ");\n}\n");
+}
+
+static void add_readers(ew_shader_text *text, unsigned key)
+{
+    for (int kind = 0; kind < EW_KIND_COUNT; ++kind)
+        add_reader(text, kind, key);
+    add_made(text, "#define EW_WEIGHT_START (");
+    add_start(text, EW_KIND_COUNT, key);
+    add_made(text, ")\n#define EW_ADD_KINDS");
+    for (int kind = 0; kind < EW_KIND_COUNT; ++kind)
+        if (ew_permutation_count(key, kind) > 0)
+            add_made(text, " EW_ADD_KIND(ew_%s_block, ew_%s, EW_%s_COUNT)", ew_kinds[kind]->name, ew_kinds[kind]->name,
+                     ew_kinds[kind]->upper_name);
+    add_made(text, "\n");
+}
+
+static void add_kinds(ew_shader_text *text, unsigned key, const ew_integrator_text *integrator)
+{
+    for (int kind = 0; kind < EW_KIND_COUNT; ++kind) {
+        if (ew_permutation_count(key, kind) == 0) continue;
+        const char *const *files = integrator->is_sampling ? ew_kinds[kind]->sampling_files : ew_kinds[kind]->adaptive_files;
+        for (int i = 0; i < EW_KIND_MAX_FILES && files[i]; ++i)
+            add_file(text, files[i]);
+        if (!integrator->each_kind) continue;
+        add_made(text, "#define EW_SOURCE ew_%s_block\n", ew_kinds[kind]->name);
+        add_file(text, integrator->each_kind);
+        add(text, "#undef EW_SOURCE\n");
+    }
+}
+
+/* ---- Whole shaders ---- */
+
+static const ew_integrator_text *integrator_of(unsigned key)
+{
+    static const char *const adaptive_before[] = {ew_glsl_quadrature_glsl, NULL};
+    static const char *const simpson_before[] = {ew_glsl_sample_glsl, NULL};
+    static const ew_integrator_text adaptive = {adaptive_before, NULL, false};
+    static const ew_integrator_text simpson = {simpson_before, ew_glsl_simpson_glsl, true};
+    return key & EW_PERMUTATION_SIMPSON ? &simpson : &adaptive;
+}
+
+/* The light along a segment of a ray. */
+static void add_light(ew_shader_text *text, unsigned key, const ew_integrator_text *integrator)
+{
+    add_file(text, ew_glsl_layout_glsl);
+    add_file(text, ew_glsl_blocks_glsl);
+    add_readers(text, key);
+    add_file(text, ew_glsl_segment_glsl);
+    if (key & EW_PERMUTATION_WEIGHTS) add_file(text, ew_glsl_weight_glsl);
+    if (integrator->is_sampling) add(text, "#define EW_SAMPLING\n");
+    for (int i = 0; integrator->before[i]; ++i)
+        add_file(text, integrator->before[i]);
+    add_kinds(text, key, integrator);
+    add_file(text, ew_glsl_light_glsl);
+}
+
+static void start(ew_shader_text *text, bool numbers_lines)
+{
+    text->count = text->file_count = 0;
+    text->made_used = 0;
+    text->ends_in_made = false;
+    text->numbers_lines = numbers_lines;
+}
+
+void ew_write_vertex_shader(ew_shader_text *text, const ew_dialect *dialect, unsigned key)
+{
+    start(text, true);
+    add_version(text, dialect, key);
+    add_defines(text, dialect, key);
+    add_software_defines(text, dialect, key);
+    add(text, "#define EW_VERTEX_STAGE\n");
+    add_file(text, ew_glsl_layout_glsl);
+    add_file(text, ew_glsl_blocks_glsl);
+    add_file(text, ew_glsl_quad_vert);
+}
+
+void ew_write_fragment_shader_with(ew_shader_text *text, const ew_dialect *dialect, unsigned key,
+                                   const ew_integrator_text *integrator)
+{
+    start(text, true);
+    add_version(text, dialect, key);
+    add_defines(text, dialect, key);
+    add_software_defines(text, dialect, key);
+    add_light(text, key, integrator);
+    if (key & EW_PERMUTATION_DEPTH) add_file(text, ew_glsl_depth_glsl);
+    if (key & EW_PERMUTATION_DITHER) add_file(text, ew_glsl_dither_glsl);
+    add_file(text, ew_glsl_wave_frag);
+}
+
+void ew_write_fragment_shader(ew_shader_text *text, const ew_dialect *dialect, unsigned key)
+{
+    ew_write_fragment_shader_with(text, dialect, key, integrator_of(key));
+}
+
+void ew_write_include(ew_shader_text *text, const ew_dialect *dialect, unsigned key)
+{
+    start(text, false);
+    add(text, "#ifdef GL_ES\nprecision highp float;\nprecision highp int;\n#endif\n");
+    add_defines(text, dialect, key);
+    add_light(text, key, integrator_of(key));
+    add_file(text, ew_glsl_include_glsl);
+}

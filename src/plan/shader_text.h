@@ -1,0 +1,50 @@
+/* The text of shaders, put together from the files of glsl/. */
+#ifndef EW_SHADER_TEXT_H
+#define EW_SHADER_TEXT_H
+
+#include "plan/permutation.h"
+
+/* What a shader's text must fit. */
+typedef struct ew_dialect {
+    bool es;                 /* OpenGL ES */
+    bool software;           /* drawn by the processor: see glsl/base/blocks.glsl */
+    int max_varying_vectors; /* between the stages */
+    size_t capacity;         /* units of sources in the uniform block */
+} ew_dialect;
+
+/* An integrator: the files between the base and the light. Those of the kinds go in the middle. */
+typedef struct ew_integrator_text {
+    const char *const *before; /* up to a NULL */
+    const char *each_kind;     /* once a kind behind its own files, with EW_SOURCE defined as its block; NULL for nothing */
+    bool is_sampling;          /* takes the kinds' sampling_files, with EW_SAMPLING defined */
+} ew_integrator_text;
+
+/* The most strings that a shader consists of, and the most characters that are made rather than embedded. */
+enum { EW_SHADER_MAX_STRINGS = 96, EW_SHADER_MAX_MADE = 8192 };
+
+/* A shader's text: `count` strings, one after the other. Not to be moved: some strings lie in `made`. */
+typedef struct ew_shader_text {
+    const char *strings[EW_SHADER_MAX_STRINGS];
+    int count;
+    char made[EW_SHADER_MAX_MADE];
+    size_t made_used;
+    bool ends_in_made;  /* the last string does */
+    bool numbers_lines; /* with #line, for a driver's messages */
+    int file_count;
+} ew_shader_text;
+
+void ew_write_vertex_shader(ew_shader_text *text, const ew_dialect *dialect, unsigned key);
+
+void ew_write_fragment_shader(ew_shader_text *text, const ew_dialect *dialect, unsigned key);
+
+/* The same with an integrator that is none of the library's, for comparisons with it. */
+void ew_write_fragment_shader_with(ew_shader_text *text, const ew_dialect *dialect, unsigned key,
+                                   const ew_integrator_text *integrator);
+
+/* The light without its picture, to be included into a shader that has a version. */
+void ew_write_include(ew_shader_text *text, const ew_dialect *dialect, unsigned key);
+
+/* Joins the strings: zero-terminated. Returns the length; with NULL, does only that. */
+size_t ew_join_shader_text(const ew_shader_text *text, char *joined);
+
+#endif
