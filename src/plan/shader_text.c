@@ -165,7 +165,7 @@ static void add_kinds(ew_shader_text *text, unsigned key, const ew_integrator_te
 static const ew_integrator_text *integrator_of(unsigned key)
 {
     static const char *const adaptive_before[] = {ew_glsl_quadrature_glsl, NULL};
-    static const char *const simpson_before[] = {ew_glsl_sample_glsl, NULL};
+    static const char *const simpson_before[] = {NULL};
     static const ew_integrator_text adaptive = {adaptive_before, NULL, false};
     static const ew_integrator_text simpson = {simpson_before, ew_glsl_simpson_glsl, true};
     return key & EW_PERMUTATION_SIMPSON ? &simpson : &adaptive;
@@ -179,7 +179,10 @@ static void add_light(ew_shader_text *text, unsigned key, const ew_integrator_te
     add_readers(text, key);
     add_file(text, ew_glsl_segment_glsl);
     if (key & EW_PERMUTATION_WEIGHTS) add_file(text, ew_glsl_weight_glsl);
-    if (integrator->is_sampling) add(text, "#define EW_SAMPLING\n");
+    if (integrator->is_sampling) {
+        add(text, "#define EW_SAMPLING\n");
+        add_file(text, ew_glsl_sample_glsl);
+    }
     for (int i = 0; integrator->before[i]; ++i)
         add_file(text, integrator->before[i]);
     add_kinds(text, key, integrator);

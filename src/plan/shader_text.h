@@ -12,11 +12,11 @@ typedef struct ew_dialect {
     size_t capacity;         /* units of sources in the uniform block */
 } ew_dialect;
 
-/* An integrator: the files between the base and the light. Those of the kinds go in the middle. */
+/* The files of an integrator. They stand behind the base and before the light. */
 typedef struct ew_integrator_text {
-    const char *const *before; /* up to a NULL */
-    const char *each_kind;     /* once a kind behind its own files, with EW_SOURCE defined as its block; NULL for nothing */
-    bool is_sampling;          /* takes the kinds' sampling_files, with EW_SAMPLING defined */
+    const char *const *before; /* before those of the kinds, up to a NULL */
+    const char *each_kind;     /* behind those of each kind, with EW_SOURCE defined as its block; NULL for nothing */
+    bool is_sampling;          /* takes sample.glsl and the kinds' sampling_files, with EW_SAMPLING defined */
 } ew_integrator_text;
 
 /* The most strings that a shader consists of, and the most characters that are made rather than embedded. */

@@ -3,6 +3,8 @@
 // any other source is taken for its point that is nearest to the ray. The distance to it counts as epsilon where it is less:
 // the density would be infinite on the source otherwise.
 
+#define PEER_EQUIANGULAR
+
 // s = center + distance tan(angle), all angles equally likely.
 struct peer_distribution {
     float center;
@@ -16,7 +18,7 @@ peer_distribution peer_distribute(ew_segment segment, vec3 nearest)
     vec3 to_nearest = nearest - segment.origin;
     float k = ew_length_squared(segment.direction);
     float center = dot(to_nearest, segment.direction) / k;
-    float distance = max(length(to_nearest - center * segment.direction), ew_frame.decay.y) * inversesqrt(k);
+    float distance = max(length(to_nearest - center * segment.direction), ew_epsilon()) * inversesqrt(k);
     return peer_distribution(center, distance, atan(-center / distance), atan((segment.end - center) / distance));
 }
 
@@ -53,14 +55,11 @@ float peer_newton_step(vec3 difference, vec3 first, vec3 second)
 const int PEER_CANDIDATES = 16;
 const int PEER_NEWTON_STEPS = 3;
 
-#ifdef EW_POINTS
 vec3 peer_nearest(ew_segment segment, ew_point_block point)
 {
     return point.position.xyz;
 }
-#endif
 
-#ifdef EW_LINES
 vec3 peer_nearest(ew_segment segment, ew_line_block line)
 {
     vec3 axis = line.direction.xyz;
@@ -69,9 +68,7 @@ vec3 peer_nearest(ew_segment segment, ew_line_block line)
     float s = clamp(dot(to_line, across) / max(ew_length_squared(across), 1e-12), 0.0, segment.end);
     return line.position.xyz + dot(s * segment.direction - to_line, axis) * axis;
 }
-#endif
 
-#ifdef EW_TORI
 vec3 peer_nearest(ew_segment segment, ew_torus_block torus)
 {
     vec3 axis = torus.axis.xyz;
@@ -96,35 +93,31 @@ vec3 peer_nearest(ew_segment segment, ew_torus_block torus)
     }
     return torus.center.xyz + cos(angle) * u + sin(angle) * v;
 }
-#endif
 
-#ifdef EW_CURVES
-vec3 peer_curve_point(ew_polynomial_curve curve, float tau)
+vec3 peer_nearest(ew_segment segment, ew_curve_block curve)
 {
-    return curve.c0 + tau * (curve.c1 + tau * curve.c2);
-}
-
-vec3 peer_nearest(ew_segment segment, peer_curve source)
-{
-    ew_polynomial_curve curve = source.polynomial;
-    float tau = curve.first;
+    vec3 c0 = curve.origin.xyz;
+    vec3 c1 = curve.axis_x.w * curve.axis_x.xyz + curve.axis_y.w * curve.axis_y.xyz;
+    vec3 c2 = curve.axis_z.w * curve.axis_y.xyz;
+    float first = curve.domain.x;
+    float last = curve.domain.y;
+    float tau = first;
     float least = 1e38;
     for (int i = 0; i < PEER_CANDIDATES; ++i) {
-        float candidate = mix(curve.first, curve.last, float(i) / float(PEER_CANDIDATES - 1));
-        float distance_squared = peer_distance_squared(segment, peer_curve_point(curve, candidate));
+        float candidate = mix(first, last, float(i) / float(PEER_CANDIDATES - 1));
+        float distance_squared = peer_distance_squared(segment, c0 + candidate * (c1 + candidate * c2));
         if (distance_squared < least) {
             least = distance_squared;
             tau = candidate;
         }
     }
-    vec3 across_c0 = peer_across(segment, curve.c0 - segment.origin);
-    vec3 across_c1 = peer_across(segment, curve.c1);
-    vec3 across_c2 = peer_across(segment, curve.c2);
+    vec3 across_c0 = peer_across(segment, c0 - segment.origin);
+    vec3 across_c1 = peer_across(segment, c1);
+    vec3 across_c2 = peer_across(segment, c2);
     for (int i = 0; i < PEER_NEWTON_STEPS; ++i) {
         vec3 difference = across_c0 + tau * (across_c1 + tau * across_c2);
         tau += peer_newton_step(difference, across_c1 + 2.0 * tau * across_c2, 2.0 * across_c2);
-        tau = clamp(tau, curve.first, curve.last);
+        tau = clamp(tau, first, last);
     }
-    return peer_curve_point(curve, tau);
+    return c0 + tau * (c1 + tau * c2);
 }
-#endif

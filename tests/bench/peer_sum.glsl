@@ -1,5 +1,6 @@
-// The sum over the samples of a source: PEER_INTEGRATE for one of the type PEER_SOURCE. Compiled once for each kind of source.
-float PEER_INTEGRATE(ew_segment segment, PEER_SOURCE source)
+// The integral of a source by samples that peer_place chooses. C puts this file into the shader once for each kind, with EW_SOURCE
+// defined as the kind's block. `others` is for the library's own integrator.
+float ew_integrate(ew_segment segment, EW_SOURCE source, float others)
 {
 #ifdef PEER_EQUIANGULAR
     peer_distribution distribution = peer_distribute(segment, peer_nearest(segment, source));
@@ -7,11 +8,14 @@ float PEER_INTEGRATE(ew_segment segment, PEER_SOURCE source)
     peer_distribution distribution = peer_distribute(segment);
 #endif
     float jitter = peer_noise();
-    float stratum = 1.0 / float(ew_frame.simpson.x);
+    int samples = ew_simpson_divisions();
+    float stratum = 1.0 / float(samples);
     float sum = 0.0;
-    for (int i = 0; i < ew_frame.simpson.x; ++i) {
+    for (int i = 0; i < samples; ++i) {
         vec2 place = peer_place(distribution, (float(i) + jitter) * stratum);
-        sum += place.y * peer_value(segment, source, place.x);
+        float weight;
+        float distance_squared = ew_distance_squared(source, segment.origin + place.x * segment.direction, weight);
+        sum += place.y * (ew_sample(distance_squared, place.x) * weight);
     }
     return sum * stratum;
 }

@@ -1,185 +1,75 @@
 /* The integrators that are not the library's: see peers.h. */
 #include "peers.h"
 #include "message.h"
+#include "peer_text.h"
+#include "shader.h"
 
-/* What the library keeps to itself: its GL functions, its shaders and how it fills their uniform blocks. */
+/* What the library keeps to itself: its shaders with another integrator in them, and how it fills their uniform block. */
 #include "base/allocator.h"
-#include "host/gl.h"
-#include "host/program.h"
-#include "model/scene.h"
-#include "plan/glsl_text.h"
+#include "host/binding_points.h"
+#include "host/execute.h"
+#include "model/sources.h"
+#include "plan/plan.h"
 
-#include <stdarg.h>
-#include <stdio.h>
 #include <stdlib.h>
 
-extern const char ew_glsl_peer_noise_glsl[];
-extern const char ew_glsl_peer_value_glsl[];
-extern const char ew_glsl_peer_marching_glsl[];
-extern const char ew_glsl_peer_equiangular_glsl[];
-extern const char ew_glsl_peer_sum_glsl[];
-extern const char ew_glsl_peer_curve_glsl[];
-
 struct bench_peers {
-    ew_gl gl;
-    ew_scene scene;
-    struct ew_frame_block frame_block;
+    gl_context *context;
+    ew_device device;
+    ew_sources sources;
+    ew_plan plan;
     ew_frame_desc frame;
     GLuint vertex_array;
-    GLuint uniform_buffer;
-    GLuint programs[FAMILY_COUNT][2]; /* for luminance and for evaluations; 0: not compiled yet */
+    ew_program programs[FAMILY_COUNT][2]; /* for luminance and for evaluations; name 0: not compiled yet */
 };
 
 /* ---- Shaders ------------------------------------------------------------------------------------------------------------ */
 
-enum { POINTS, LINES, TORI, CURVES, KIND_COUNT };
-
-/* How wave.frag names each kind, its count and its integrator; which type and function peer_sum.glsl makes that of, */
-static const struct {
-    const char *kinds, *kind, *count, *integrator, *source, *sum;
-} names[KIND_COUNT] = {
-    {"POINTS", "POINT", "ew_frame.source_count.x", "ew_integrate_point", "ew_point_block", "ew_integrate_point"},
-    {"LINES", "LINE", "ew_frame.source_count.y", "ew_integrate_line", "ew_line_block", "ew_integrate_line"},
-    {"TORI", "TORUS", "ew_frame.source_count.z", "ew_integrate_torus", "ew_torus_block", "ew_integrate_torus"},
-    /* and for curves, which are brought into another form first, peer_curve.glsl. */
-    {"CURVES", "CURVE", "ew_frame.source_count.w", "ew_integrate_curve", "peer_curve", "peer_integrate_curve"},
-};
-
-/* A shader in the making: strings, some of which it holds itself. */
-typedef struct shader_text {
-    const char *strings[48];
-    int count;
-    char memory[4096];
-    size_t used;
-} shader_text;
-
-static void add_text(shader_text *text, const char *string)
+static const ew_integrator_text *text_of(integrator_family family)
 {
-    text->strings[text->count++] = string;
+    static const char *const marching_before[] = {peer_glsl_peer_noise_glsl, peer_glsl_peer_marching_glsl, NULL};
+    static const char *const equiangular_before[] = {peer_glsl_peer_noise_glsl, peer_glsl_peer_equiangular_glsl, NULL};
+    static const ew_integrator_text marching = {marching_before, peer_glsl_peer_sum_glsl, true};
+    static const ew_integrator_text equiangular = {equiangular_before, peer_glsl_peer_sum_glsl, true};
+    return family == FAMILY_EQUIANGULAR ? &equiangular : &marching;
 }
 
-__attribute__((format(printf, 2, 3))) static void add_line(shader_text *text, const char *format, ...)
+static bool make_bare_program(const bench_peers *peers, ew_program *program, char *message, size_t size)
 {
-    va_list arguments;
-    va_start(arguments, format);
-    add_text(text, text->memory + text->used);
-    text->used += (size_t)vsnprintf(text->memory + text->used, sizeof text->memory - text->used, format, arguments) + 1;
-    va_end(arguments);
+    program->name = shader_link(
+        context_gl(peers->context),
+        "#version 330 core\nvoid main() { gl_Position = vec4(2.0 * vec2(gl_VertexID & 1, gl_VertexID >> 1) "
+        "- 1.0, 0.0, 1.0); }\n",
+        "#version 330 core\nout vec4 color;\nvoid main() { color = vec4(0.5); }\n", "the bare pass's", message, size);
+    return program->name != 0;
 }
 
-static void write_fragment_shader(const bench_peers *peers, integrator_family family, ew_output output, shader_text *text)
+static bool make_peer_program(const bench_peers *peers, integrator_family family, ew_output output, ew_program *program,
+                              char *message, size_t size)
 {
-    const ew_sources_desc *sources = &peers->scene.sources;
-    const size_t counts[KIND_COUNT] = {sources->point_count, sources->line_count, sources->torus_count, sources->curve_count};
-    *text = (shader_text){.count = 0};
-    add_text(text, "#version 330 core\n");
-    if (family == FAMILY_BARE) {
-        add_text(text, "out vec4 color;\nvoid main() { color = vec4(0.5); }\n");
-        return;
-    }
-
-    add_line(text, "#define %s\n", output == EW_OUTPUT_LUMINANCE ? "EW_LUMINANCE" : "EW_EVALUATIONS");
-    if (family == FAMILY_EQUIANGULAR) add_text(text, "#define PEER_EQUIANGULAR\n");
-    if (peers->frame.depth_texture) add_text(text, "#define EW_DEPTH\n");
-    if (peers->scene.weight_piece_count > 0) add_text(text, "#define EW_WEIGHTS\n");
-    add_line(text, "#define EW_SOURCE_DATA_SIZE %zu\n", ew_scene_capacity((size_t)peers->gl.max_uniform_block_size));
-    for (int kind = 0; kind < KIND_COUNT; kind++) {
-        char count[24];
-        if (counts[kind] > 0) add_line(text, "#define EW_%s\n", names[kind].kinds);
-        /* A literal for few sources, as the library has it: see blocks.glsl. */
-        snprintf(count, sizeof count, "%zu", counts[kind]);
-        add_line(text, "#define EW_%s_COUNT %s\n", names[kind].kind,
-                 counts[kind] <= EW_PROGRAM_MAX_UNROLLED ? count : names[kind].count);
-    }
-    add_text(text, ew_glsl_layout_glsl);
-    add_text(text, ew_glsl_blocks_glsl);
-    if (peers->frame.depth_texture) add_text(text, ew_glsl_depth_glsl);
-    add_text(text, ew_glsl_segment_glsl);
-    if (peers->scene.weight_piece_count > 0) add_text(text, ew_glsl_weight_glsl);
-
-    /* Of simpson.glsl only the distances are wanted: its integrators make way. */
-    for (int kind = 0; kind < KIND_COUNT; kind++)
-        add_line(text, "#define %s simpson_%s\n", names[kind].integrator, names[kind].integrator);
-    add_text(text, ew_glsl_simpson_glsl);
-    for (int kind = 0; kind < KIND_COUNT; kind++)
-        add_line(text, "#undef %s\n", names[kind].integrator);
-
-    add_text(text, ew_glsl_peer_noise_glsl);
-    add_text(text, ew_glsl_peer_value_glsl);
-    add_text(text, family == FAMILY_EQUIANGULAR ? ew_glsl_peer_equiangular_glsl : ew_glsl_peer_marching_glsl);
-    for (int kind = 0; kind < KIND_COUNT; kind++) {
-        if (counts[kind] == 0) continue;
-        add_line(text, "#define PEER_INTEGRATE %s\n#define PEER_SOURCE %s\n", names[kind].sum, names[kind].source);
-        add_text(text, ew_glsl_peer_sum_glsl);
-        add_text(text, "#undef PEER_INTEGRATE\n#undef PEER_SOURCE\n");
-    }
-    if (counts[CURVES] > 0) add_text(text, ew_glsl_peer_curve_glsl);
-    add_text(text, ew_glsl_light_glsl);
-    add_text(text, ew_glsl_wave_frag);
-}
-
-/* Compiles the strings into the program; on failure returns false, with the driver's log. */
-static bool attach(const ew_gl *gl, GLuint program, GLenum stage, int count, const char *const *strings, char *log, size_t size)
-{
-    GLuint shader = gl->CreateShader(stage);
-    gl->ShaderSource(shader, count, strings, NULL);
-    gl->CompileShader(shader);
-    GLint compiled = GL_FALSE;
-    gl->GetShaderiv(shader, GL_COMPILE_STATUS, &compiled);
-    if (!compiled) gl->GetShaderInfoLog(shader, (GLsizei)size, NULL, log);
-    gl->AttachShader(program, shader);
-    gl->DeleteShader(shader);
-    return compiled;
-}
-
-static bool link(const ew_gl *gl, GLuint program, char *log, size_t size)
-{
-    gl->LinkProgram(program);
-    GLint linked = GL_FALSE;
-    gl->GetProgramiv(program, GL_LINK_STATUS, &linked);
-    if (!linked) gl->GetProgramInfoLog(program, (GLsizei)size, NULL, log);
-    return linked;
+    ew_frame_desc frame = peers->frame;
+    frame.output = output;
+    const ew_mix mix = ew_sources_mix(&peers->sources);
+    unsigned key = ew_permutation_with_depth(ew_permutation_of(&mix, &frame),
+                                             frame.depth_texture ? EW_DEPTH_KIND_SINGLE : EW_DEPTH_KIND_NONE);
+    ew_error error;
+    ew_result result = ew_program_start(&peers->device.gl, key, text_of(family), program, &error);
+    if (result == EW_OK) result = ew_program_finish(&peers->device.gl, program, &error);
+    if (result != EW_OK) message_write(message, size, "%s: %s", integrator_family_names[family], error.text);
+    return result == EW_OK;
 }
 
 /* Returns the program of a family and an output, compiled if this is the first time; 0 with a message on failure. */
 static GLuint get_program(bench_peers *peers, integrator_family family, ew_output output, char *message, size_t size)
 {
-    const ew_gl *gl = &peers->gl;
-    GLuint *program = &peers->programs[family][output == EW_OUTPUT_EVALUATIONS];
-    if (*program) return *program;
-
-    const char *const vertex_strings[] = {"#version 330 core\n", ew_glsl_quad_vert};
-    char log[300] = "";
-    shader_text text;
-    write_fragment_shader(peers, family, output, &text);
-    *program = gl->CreateProgram();
-    if (attach(gl, *program, GL_VERTEX_SHADER, 2, vertex_strings, log, sizeof log) &&
-        attach(gl, *program, GL_FRAGMENT_SHADER, text.count, text.strings, log, sizeof log) &&
-        link(gl, *program, log, sizeof log)) {
-        GLuint block = gl->GetUniformBlockIndex(*program, "ew_uniforms");
-        if (block != GL_INVALID_INDEX) gl->UniformBlockBinding(*program, block, 0);
-        return *program;
-    }
-    message_write(message, size, "the driver refuses the shader of %s (%s)", integrator_family_names[family], log);
-    gl->DeleteProgram(*program);
-    return *program = 0;
+    ew_program *program = &peers->programs[family][output == EW_OUTPUT_EVALUATIONS];
+    if (program->name) return program->name;
+    bool made = family == FAMILY_BARE ? make_bare_program(peers, program, message, size)
+                                      : make_peer_program(peers, family, output, program, message, size);
+    return made ? program->name : 0;
 }
 
 /* ---- Drawing ------------------------------------------------------------------------------------------------------------ */
-
-static void upload(const bench_peers *peers)
-{
-    const ew_gl *gl = &peers->gl;
-    const ew_scene *scene = &peers->scene;
-    size_t frame_size = sizeof peers->frame_block;
-    size_t size = frame_size + ew_scene_capacity((size_t)gl->max_uniform_block_size) * sizeof(ew_vec4);
-    gl->BindBuffer(GL_UNIFORM_BUFFER, peers->uniform_buffer);
-    gl->BufferData(GL_UNIFORM_BUFFER, (GLsizeiptr)size, NULL, GL_DYNAMIC_DRAW);
-    gl->BufferSubData(GL_UNIFORM_BUFFER, 0, (GLsizeiptr)frame_size, &peers->frame_block);
-    if (scene->source_data_size > 0)
-        gl->BufferSubData(GL_UNIFORM_BUFFER, (GLintptr)frame_size, (GLsizeiptr)scene->source_data_size, scene->source_data);
-    gl->BindBufferBase(GL_UNIFORM_BUFFER, 0, peers->uniform_buffer);
-}
 
 bench_peers *peers_create(gl_context *context, const ew_sources_desc *sources, const ew_frame_desc *frame, char *message,
                           size_t size)
@@ -190,50 +80,53 @@ bench_peers *peers_create(gl_context *context, const ew_sources_desc *sources, c
         return NULL;
     }
     ew_error error;
-    ew_result result = ew_gl_load(&made->gl, context_get_proc_address, context, &error);
-    if (result == EW_OK) {
-        size_t capacity = ew_scene_capacity((size_t)made->gl.max_uniform_block_size);
-        result = ew_scene_set(&made->scene, sources, capacity, &ew_default_allocator, &error);
-    }
-    if (result == EW_OK) result = ew_scene_pack(&made->scene, frame, &made->frame_block, &error);
+    ew_effect_desc desc = {.get_proc_address = context_get_proc_address, .user = context};
+    ew_result result = ew_device_create(&made->device, &desc, &error);
     if (result != EW_OK) {
         message_write(message, size, "%s", error.text);
-        ew_scene_destroy(&made->scene, &ew_default_allocator);
         free(made);
         return NULL;
     }
+    made->context = context;
     made->frame = *frame;
-    made->gl.GenVertexArrays(1, &made->vertex_array);
-    made->gl.GenBuffers(1, &made->uniform_buffer);
-    return made;
+    made->device.gl.software = false; /* the peers read the uniform block as it is */
+    made->device.gl.GenVertexArrays(1, &made->vertex_array);
+    size_t capacity = ew_gl_dialect(&made->device.gl).capacity;
+    result = ew_sources_set(&made->sources, sources, capacity, &ew_default_allocator, &error);
+    if (result == EW_OK) result = ew_plan_frame(&made->plan, &made->sources, NULL, frame, &error);
+    if (result == EW_OK) return made;
+    message_write(message, size, "%s", error.text);
+    peers_destroy(made);
+    return NULL;
 }
 
 void peers_destroy(bench_peers *peers)
 {
     if (!peers) return;
-    const ew_gl *gl = &peers->gl;
+    const ew_gl *gl = &peers->device.gl;
     for (int family = 0; family < FAMILY_COUNT; family++)
         for (int output = 0; output < 2; output++)
-            gl->DeleteProgram(peers->programs[family][output]);
-    gl->DeleteBuffers(1, &peers->uniform_buffer);
+            gl->DeleteProgram(peers->programs[family][output].name);
     gl->DeleteVertexArrays(1, &peers->vertex_array);
-    ew_scene_destroy(&peers->scene, &ew_default_allocator);
+    ew_device_destroy(&peers->device, &ew_default_allocator);
+    ew_sources_destroy(&peers->sources, &ew_default_allocator);
     free(peers);
 }
 
 bool peers_draw(bench_peers *peers, const bench_integrator *integrator, ew_output output, char *message, size_t size)
 {
-    const ew_gl *gl = &peers->gl;
+    const ew_gl *gl = &peers->device.gl;
     const ew_frame_desc *frame = &peers->frame;
     GLuint program = get_program(peers, integrator->family, output, message, size);
     if (!program) return false;
 
     gl->BindFramebuffer(GL_FRAMEBUFFER, frame->framebuffer);
     gl->Viewport(frame->viewport_x, frame->viewport_y, frame->viewport_width, frame->viewport_height);
-    gl->ActiveTexture(GL_TEXTURE0);
+    gl->ActiveTexture(GL_TEXTURE0 + EW_GL_DEPTH_TEXTURE_UNIT);
     gl->BindTexture(GL_TEXTURE_2D, frame->depth_texture);
-    peers->frame_block.simpson.x = integrator->samples;
-    upload(peers);
+    peers->plan.uniforms.frame.simpson.x = integrator->samples;
+    ew_upload(&peers->device, &peers->plan);
+    gl->BindBufferBase(GL_UNIFORM_BUFFER, EW_GL_UNIFORM_BINDING, peers->device.uniform_buffer);
     gl->UseProgram(program);
     gl->BindVertexArray(peers->vertex_array);
     gl->DrawArrays(GL_TRIANGLE_STRIP, 0, 4);

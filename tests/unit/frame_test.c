@@ -1,6 +1,6 @@
 /* Frames: what is wrong with one is named before any GL is called. */
 #include "check.h"
-#include "model/scene.h"
+#include "plan/plan.h"
 
 #include <float.h>
 
@@ -12,18 +12,25 @@ static ew_frame_desc good_frame(void)
     return frame;
 }
 
+static ew_result plan_for_nothing(const ew_frame_desc *frame, ew_error *error)
+{
+    ew_sources none = {.epsilon = 1e-3};
+    ew_plan plan;
+    return ew_plan_frame(&plan, &none, NULL, frame, error);
+}
+
 static void expect_refused(const ew_frame_desc *frame, const char *name)
 {
     ew_error error = {EW_OK, ""};
-    ew_result result = ew_validate_frame(frame, &error);
+    ew_result result = plan_for_nothing(frame, &error);
     check_refused(result, &error, EW_ERROR_INVALID_ARGUMENT, name);
-    assert_int_equal(ew_validate_frame(frame, NULL), EW_ERROR_INVALID_ARGUMENT);
+    assert_int_equal(plan_for_nothing(frame, NULL), EW_ERROR_INVALID_ARGUMENT);
 }
 
 static void expect_taken(const ew_frame_desc *frame)
 {
     ew_error error = {EW_OK, ""};
-    if (ew_validate_frame(frame, &error) != EW_OK) fail_msg("refused: %s", error.text);
+    if (plan_for_nothing(frame, &error) != EW_OK) fail_msg("refused: %s", error.text);
 }
 
 static void the_defaults_need_only_a_viewport(void **state)

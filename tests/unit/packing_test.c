@@ -1,7 +1,8 @@
 /* Sources in ray space (glsl/layout.glsl): each block describes the host's source, in full precision, wherever the world is. */
 #include "base/allocator.h"
 #include "check.h"
-#include "model/scene.h"
+#include "packed.h"
+#include "plan/plan.h"
 
 #include <stdlib.h>
 
@@ -87,16 +88,15 @@ static void check_vector(ew_vec4 actual, const double expected[3], double tolera
 /* What rounding a number of about 1 to a float costs, with a little for the doubles before. */
 static const double float_error = 2e-7;
 
-static ew_scene pack(const ew_sources_desc *desc, const ew_frame_desc *frame, struct ew_frame_block *block)
+static ew_sources pack(const ew_sources_desc *desc, const ew_frame_desc *frame, ew_plan *plan)
 {
-    size_t capacity = ew_scene_capacity(65536);
-    ew_scene scene = {0};
+    size_t capacity = ew_sources_capacity(65536);
+    ew_sources sources = {0};
     ew_error error = {EW_OK, ""};
-    if (ew_validate_frame(frame, &error) != EW_OK ||
-        ew_scene_set(&scene, desc, capacity, &ew_default_allocator, &error) != EW_OK ||
-        ew_scene_pack(&scene, frame, block, &error) != EW_OK)
+    if (ew_sources_set(&sources, desc, capacity, &ew_default_allocator, &error) != EW_OK ||
+        ew_plan_frame(plan, &sources, NULL, frame, &error) != EW_OK)
         fail_msg("refused: %s", error.text);
-    return scene;
+    return sources;
 }
 
 static void points_lines_and_tori_come_to_ray_space(void **state)
@@ -116,42 +116,42 @@ static void points_lines_and_tori_come_to_ray_space(void **state)
         random_vector(line.direction);
         random_vector(torus.center);
         random_vector(torus.axis);
-        struct ew_frame_block block;
+        ew_plan plan;
         ew_sources_desc desc = {&point, 1, &line, 1, &torus, 1, NULL, 0, 1e-3};
-        ew_scene scene = pack(&desc, &frame, &block);
+        ew_sources sources = pack(&desc, &frame, &plan);
 
         double expected[3], direction[3], position[3];
         to_ray_space(&frame, point.position, 1, expected);
-        check_vector(scene.points[0].position, expected, float_error);
-        check_close((double)scene.points[0].position.w, 2 * energy, float_error);
-        check_vector(scene.points[0].color, point.color, float_error);
+        check_vector(packed_point(&sources, 0)->position, expected, float_error);
+        check_close((double)packed_point(&sources, 0)->color.w, 2 * energy, float_error);
+        check_vector(packed_point(&sources, 0)->color, point.color, float_error);
 
         /* The line's block is another point of the same line, the nearest to the anchor, with a unit direction. */
         to_ray_space(&frame, line.position, 1, expected);
-        from_vec4(scene.lines[0].direction, direction);
-        from_vec4(scene.lines[0].position, position);
+        from_vec4(packed_line(&sources, 0)->direction, direction);
+        from_vec4(packed_line(&sources, 0)->position, position);
         check_close(dot(direction, direction), 1, float_error);
         check_close(dot(direction, position), 0, float_error);
         double along = dot(expected, direction);
         for (int i = 0; i < 3; ++i)
             expected[i] -= along * direction[i];
-        check_vector(scene.lines[0].position, expected, float_error);
+        check_vector(packed_line(&sources, 0)->position, expected, float_error);
         to_ray_space(&frame, line.direction, 0, expected);
         check_close(dot(direction, expected), sqrt(dot(expected, expected)), float_error);
-        check_close((double)scene.lines[0].position.w, 3 * energy, float_error);
-        check_vector(scene.lines[0].color, line.color, float_error);
+        check_close((double)packed_line(&sources, 0)->color.w, 3 * energy, float_error);
+        check_vector(packed_line(&sources, 0)->color, line.color, float_error);
 
         to_ray_space(&frame, torus.center, 1, expected);
-        check_vector(scene.tori[0].center, expected, float_error);
+        check_vector(packed_torus(&sources, 0)->center, expected, float_error);
         to_ray_space(&frame, torus.axis, 0, expected);
         double axis[3];
-        from_vec4(scene.tori[0].axis, axis);
+        from_vec4(packed_torus(&sources, 0)->axis, axis);
         check_close(dot(axis, axis), 1, float_error);
         check_close(dot(axis, expected), sqrt(dot(expected, expected)), float_error);
-        check_close((double)scene.tori[0].axis.w, 0.9 / (frame.interval_end - frame.interval_start), float_error);
-        check_close((double)scene.tori[0].center.w, 5.1 * energy, float_error);
-        check_vector(scene.tori[0].color, torus.color, float_error);
-        ew_scene_destroy(&scene, &ew_default_allocator);
+        check_close((double)packed_torus(&sources, 0)->axis.w, 0.9 / (frame.interval_end - frame.interval_start), float_error);
+        check_close((double)packed_torus(&sources, 0)->color.w, 5.1 * energy, float_error);
+        check_vector(packed_torus(&sources, 0)->color, torus.color, float_error);
+        ew_sources_destroy(&sources, &ew_default_allocator);
     }
 }
 
@@ -164,16 +164,15 @@ static void the_frame_block_counts_and_scales(void **state)
     ew_point points[2] = {{{0}, 1, {0}}, {{0}, 1, {0}}};
     ew_curve curves[3] = {{.domain = {0, 1}}, {.domain = {0, 1}}, {.domain = {0, 1}}};
     ew_sources_desc desc = {.points = points, .point_count = 2, .curves = curves, .curve_count = 3, .epsilon = 0.01};
-    struct ew_frame_block block;
-    ew_scene scene = pack(&desc, &frame, &block);
-    assert_int_equal(block.source_count.x, 2);
-    assert_int_equal(block.source_count.y, 0);
-    assert_int_equal(block.source_count.z, 0);
-    assert_int_equal(block.source_count.w, 3);
+    ew_plan plan;
+    ew_sources sources = pack(&desc, &frame, &plan);
+    const struct ew_frame_block block = plan.uniforms.frame;
+    const int counts[EW_KIND_COUNT] = {2, 0, 0, 3};
+    assert_memory_equal(plan.uniforms.source_counts, counts, sizeof counts);
     assert_int_equal(block.simpson.x, 128);
     check_close((double)block.decay.x, 0.7, float_error);
     check_close((double)block.decay.y, 0.01 / (frame.interval_end - frame.interval_start), 1e-9);
-    ew_scene_destroy(&scene, &ew_default_allocator);
+    ew_sources_destroy(&sources, &ew_default_allocator);
 }
 
 static void finer_qualities_allow_smaller_errors(void **state)
@@ -186,11 +185,12 @@ static void finer_qualities_allow_smaller_errors(void **state)
     float coarser = 1;
     for (size_t i = 0; i < sizeof qualities / sizeof qualities[0]; ++i) {
         frame.quality = qualities[i];
-        struct ew_frame_block block;
-        ew_scene scene = pack(&desc, &frame, &block);
-        assert_true(block.decay.z > 0 && block.decay.z < coarser);
-        coarser = block.decay.z;
-        ew_scene_destroy(&scene, &ew_default_allocator);
+        ew_plan plan;
+        ew_sources sources = pack(&desc, &frame, &plan);
+        float tolerance = plan.uniforms.frame.decay.z;
+        assert_true(tolerance > 0 && tolerance < coarser);
+        coarser = tolerance;
+        ew_sources_destroy(&sources, &ew_default_allocator);
     }
 }
 
@@ -258,17 +258,17 @@ static void arcs_come_to_ray_space_whatever_their_shape(void **state)
             ew_curve curve = {.domain = {domains[j][0], domains[j][1]}, .coefficient = 4, .color = {0.1, 0.2, 0.3}};
             ew_bezier_polynomial(shapes[i], curve.polynomial);
             ew_sources_desc desc = {.curves = &curve, .curve_count = 1, .epsilon = 1e-3};
-            struct ew_frame_block block;
-            ew_scene scene = pack(&desc, &frame, &block);
+            ew_plan plan;
+            ew_sources sources = pack(&desc, &frame, &plan);
             double size = 0;
             for (int k = 0; k < 9; ++k)
                 size = fmax(size, fabs(curve.polynomial[k / 3][k % 3]));
-            check_arc(&curve, &frame, &scene.curves[0], 2e-6 * fmax(size, 1));
-            check_axes(&scene.curves[0]);
-            check_close((double)scene.curves[0].origin.w, 4 * frame.decay_alpha / (frame.interval_end - frame.interval_start),
-                        float_error);
-            check_vector(scene.curves[0].color, curve.color, float_error);
-            ew_scene_destroy(&scene, &ew_default_allocator);
+            check_arc(&curve, &frame, packed_curve(&sources, 0), 2e-6 * fmax(size, 1));
+            check_axes(packed_curve(&sources, 0));
+            check_close((double)packed_curve(&sources, 0)->color.w,
+                        4 * frame.decay_alpha / (frame.interval_end - frame.interval_start), float_error);
+            check_vector(packed_curve(&sources, 0)->color, curve.color, float_error);
+            ew_sources_destroy(&sources, &ew_default_allocator);
         }
     }
 }
@@ -283,14 +283,14 @@ static void an_arch_has_its_origin_at_the_vertex_and_a_straight_arc_on_itself(vo
     const double eye[3] = {0, 0, 3}, vertex[3] = {0, 1, 0};
     ew_frame_desc frame = random_frame(eye);
     ew_sources_desc desc = {.curves = curves, .curve_count = 2, .epsilon = 1e-3};
-    struct ew_frame_block block;
-    ew_scene scene = pack(&desc, &frame, &block);
+    ew_plan plan;
+    ew_sources sources = pack(&desc, &frame, &plan);
     double expected[3];
     to_ray_space(&frame, vertex, 1, expected);
-    check_vector(scene.curves[0].origin, expected, float_error);
-    assert_true(scene.curves[0].axis_y.w == 0);
-    assert_true(scene.curves[1].domain.x <= 0 && scene.curves[1].domain.y >= 0);
-    ew_scene_destroy(&scene, &ew_default_allocator);
+    check_vector(packed_curve(&sources, 0)->origin, expected, float_error);
+    assert_true(packed_curve(&sources, 0)->axis_y.w == 0);
+    assert_true(packed_curve(&sources, 1)->domain.x <= 0 && packed_curve(&sources, 1)->domain.y >= 0);
+    ew_sources_destroy(&sources, &ew_default_allocator);
 }
 
 /* The same world, moved by 1e5 units with its camera: packed, it is the same, to what doubles resolve out there. */
@@ -332,19 +332,16 @@ static void a_world_far_from_its_origin_is_packed_as_if_it_were_near(void **stat
             for (int column = 0; column < 3; ++column)
                 far_frame.view[12 + row] -= frame.view[4 * column + row] * far_eye[column];
         }
-        struct ew_frame_block near_block, far_block;
+        ew_plan near_plan, far_plan;
         ew_sources_desc near_desc = {&points[0], 1, &lines[0], 1, &tori[0], 1, &curves[0], 1, 1e-3};
         ew_sources_desc far_desc = {&points[1], 1, &lines[1], 1, &tori[1], 1, &curves[1], 1, 1e-3};
-        ew_scene near_scene = pack(&near_desc, &frame, &near_block), far_scene = pack(&far_desc, &far_frame, &far_block);
+        ew_sources near_sources = pack(&near_desc, &frame, &near_plan), far_sources = pack(&far_desc, &far_frame, &far_plan);
         const struct {
             const void *near_values, *far_values;
             size_t size;
         } blocks[] = {
-            {near_scene.points, far_scene.points, sizeof *near_scene.points},
-            {near_scene.lines, far_scene.lines, sizeof *near_scene.lines},
-            {near_scene.tori, far_scene.tori, sizeof *near_scene.tori},
-            {near_scene.curves, far_scene.curves, sizeof *near_scene.curves},
-            {&near_block, &far_block, offsetof(struct ew_frame_block, source_count)},
+            {near_sources.data, far_sources.data, near_sources.data_size},
+            {&near_plan.uniforms.frame, &far_plan.uniforms.frame, offsetof(struct ew_frame_block, simpson)},
         };
         for (size_t i = 0; i < sizeof blocks / sizeof blocks[0]; ++i) {
             for (size_t j = 0; j < blocks[i].size / sizeof(float); ++j) {
@@ -354,8 +351,8 @@ static void a_world_far_from_its_origin_is_packed_as_if_it_were_near(void **stat
                 check_close(is_far, is_near, tolerance + 1.2e-7 * fabs(is_near));
             }
         }
-        ew_scene_destroy(&near_scene, &ew_default_allocator);
-        ew_scene_destroy(&far_scene, &ew_default_allocator);
+        ew_sources_destroy(&near_sources, &ew_default_allocator);
+        ew_sources_destroy(&far_sources, &ew_default_allocator);
     }
 }
 
@@ -382,13 +379,13 @@ static void sources_beyond_what_the_shader_resolves_are_refused(void **state)
         {{.epsilon = 1e-300}, "epsilon"},
     };
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; ++i) {
-        size_t capacity = ew_scene_capacity(65536);
-        ew_scene scene = {0};
+        size_t capacity = ew_sources_capacity(65536);
+        ew_sources sources = {0};
         ew_error error = {EW_OK, ""};
-        struct ew_frame_block block;
-        assert_int_equal(ew_scene_set(&scene, &cases[i].desc, capacity, &ew_default_allocator, NULL), EW_OK);
-        check_refused(ew_scene_pack(&scene, &frame, &block, &error), &error, EW_ERROR_INVALID_ARGUMENT, cases[i].name);
-        ew_scene_destroy(&scene, &ew_default_allocator);
+        ew_plan plan;
+        assert_int_equal(ew_sources_set(&sources, &cases[i].desc, capacity, &ew_default_allocator, NULL), EW_OK);
+        check_refused(ew_plan_frame(&plan, &sources, NULL, &frame, &error), &error, EW_ERROR_INVALID_ARGUMENT, cases[i].name);
+        ew_sources_destroy(&sources, &ew_default_allocator);
     }
 }
 

@@ -1,6 +1,6 @@
 /* Rays and window depths of every kind of projection, against the full matrix and its inverse. */
 #include "check.h"
-#include "model/scene.h"
+#include "plan/plan.h"
 
 #include <stdbool.h>
 
@@ -202,12 +202,11 @@ static struct ew_frame_block pack(const camera *c)
     frame.viewport_y = Y;
     frame.viewport_width = WIDTH;
     frame.viewport_height = HEIGHT;
-    ew_scene scene = {.sources = {.epsilon = 1}};
+    ew_sources sources = {.epsilon = 1};
     ew_error error = {EW_OK, ""};
-    struct ew_frame_block block = {0};
-    if (ew_validate_frame(&frame, &error) != EW_OK || ew_scene_pack(&scene, &frame, &block, &error) != EW_OK)
-        fail_msg("%s is refused: %s", c->name, error.text);
-    return block;
+    ew_plan plan;
+    if (ew_plan_frame(&plan, &sources, NULL, &frame, &error) != EW_OK) fail_msg("%s is refused: %s", c->name, error.text);
+    return plan.uniforms.frame;
 }
 
 /* Calls `check` with pixels' centres in window coordinates, all over the viewport of every camera. */
@@ -313,14 +312,14 @@ static void opaque_depth_tells_where_the_ray_ends(void **state)
 
 static void expect_projection_refused(int element, double value)
 {
-    ew_scene scene = {.sources.epsilon = 1e-3};
+    ew_sources sources = {.epsilon = 1e-3};
     ew_frame_desc frame = EW_FRAME_DEFAULTS;
-    struct ew_frame_block block;
+    ew_plan plan;
     ew_error error = {EW_OK, ""};
     frame.viewport_width = frame.viewport_height = 64;
-    assert_int_equal(ew_scene_pack(&scene, &frame, &block, NULL), EW_OK);
+    assert_int_equal(ew_plan_frame(&plan, &sources, NULL, &frame, NULL), EW_OK);
     frame.projection[element] = value;
-    ew_result result = ew_scene_pack(&scene, &frame, &block, &error);
+    ew_result result = ew_plan_frame(&plan, &sources, NULL, &frame, &error);
     check_refused(result, &error, EW_ERROR_INVALID_ARGUMENT, "projection");
 }
 

@@ -1,7 +1,7 @@
 /* Source lists: what is wrong with them is named, and what is refused changes nothing. */
 #include "base/allocator.h"
 #include "check.h"
-#include "model/scene.h"
+#include "model/sources.h"
 
 #include <float.h>
 #include <stdlib.h>
@@ -38,30 +38,30 @@ static void make_field(field *f)
 
 static const size_t gl_largest_block = 65536;
 
-static ew_result create(const ew_sources_desc *sources, ew_scene *scene, ew_error *error)
+static ew_result create(const ew_sources_desc *sources, ew_sources *taken, ew_error *error)
 {
-    size_t capacity = ew_scene_capacity(gl_largest_block);
-    return ew_scene_set(scene, sources, capacity, &ew_default_allocator, error);
+    size_t capacity = ew_sources_capacity(gl_largest_block);
+    return ew_sources_set(taken, sources, capacity, &ew_default_allocator, error);
 }
 
-/* Expects `desc` to be refused, with an ew_error and without, and a scene that was there before to be as it was. */
+/* Expects `desc` to be refused, with an ew_error and without, and the sources that were there before to be as they were. */
 static void expect_refused(const ew_sources_desc *desc, ew_result code, const char *name)
 {
     field old;
     make_field(&old);
-    ew_scene scene = {0}, before;
-    assert_int_equal(create(&old.desc, &scene, NULL), EW_OK);
-    memcpy(&before, &scene, sizeof scene);
+    ew_sources taken = {0}, before;
+    assert_int_equal(create(&old.desc, &taken, NULL), EW_OK);
+    memcpy(&before, &taken, sizeof taken);
 
     ew_error error = {EW_OK, ""};
-    ew_result result = create(desc, &scene, &error);
+    ew_result result = create(desc, &taken, &error);
     check_refused(result, &error, code, name);
-    assert_int_equal(create(desc, &scene, NULL), code);
-    assert_memory_equal(&scene, &before, sizeof scene);
-    assert_memory_equal(scene.sources.points, old.points, sizeof old.points);
-    assert_memory_equal(scene.sources.lines, old.lines, sizeof old.lines);
-    assert_memory_equal(scene.sources.tori, old.tori, sizeof old.tori);
-    ew_scene_destroy(&scene, &ew_default_allocator);
+    assert_int_equal(create(desc, &taken, NULL), code);
+    assert_memory_equal(&taken, &before, sizeof taken);
+    const void *lists[EW_KIND_COUNT] = {old.points, old.lines, old.tori, old.curves};
+    for (int kind = 0; kind < EW_KIND_COUNT; ++kind)
+        assert_memory_equal(taken.lists[kind], lists[kind], 2 * ew_kinds[kind]->size);
+    ew_sources_destroy(&taken, &ew_default_allocator);
 }
 
 static void every_number_out_of_range_is_refused_by_name(void **state)
@@ -108,9 +108,9 @@ static void every_number_out_of_range_is_refused_by_name(void **state)
         *numbers[i].number = good;
     }
     /* Each number was put back, so that it was the one spoilt that was refused. */
-    ew_scene scene = {0};
-    assert_int_equal(create(&f.desc, &scene, NULL), EW_OK);
-    ew_scene_destroy(&scene, &ew_default_allocator);
+    ew_sources taken = {0};
+    assert_int_equal(create(&f.desc, &taken, NULL), EW_OK);
+    ew_sources_destroy(&taken, &ew_default_allocator);
 }
 
 static void every_bad_weight_is_refused_by_name(void **state)
@@ -188,17 +188,17 @@ static void more_sources_than_the_context_holds_are_refused(void **state)
     make_field(&f);
     /* Two of each take 2 (2 + 3 + 3 + 6) units, and 2 curves with 4 weights each make 2 pieces each: 32 together. */
     ew_error error = {EW_OK, ""};
-    ew_scene scene = {0};
+    ew_sources taken = {0};
     static const struct {
         size_t capacity;
         const char *refused;
     } cases[] = {{3, "2 points"}, {9, "2 lines"}, {15, "2 tori"}, {27, "2 curves"}, {31, "4 pieces of weights"}};
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; ++i)
-        check_refused(ew_scene_set(&scene, &f.desc, cases[i].capacity, &ew_default_allocator, &error), &error,
+        check_refused(ew_sources_set(&taken, &f.desc, cases[i].capacity, &ew_default_allocator, &error), &error,
                       EW_ERROR_TOO_MANY_SOURCES, cases[i].refused);
-    assert_int_equal(ew_scene_set(&scene, &f.desc, 32, &ew_default_allocator, &error), EW_OK);
-    assert_int_equal(scene.source_data_size, 32 * sizeof(ew_vec4));
-    ew_scene_destroy(&scene, &ew_default_allocator);
+    assert_int_equal(ew_sources_set(&taken, &f.desc, 32, &ew_default_allocator, &error), EW_OK);
+    assert_int_equal(taken.data_size, 32 * sizeof(ew_vec4));
+    ew_sources_destroy(&taken, &ew_default_allocator);
 
     make_field(&f);
     f.desc.point_count = SIZE_MAX;
@@ -209,11 +209,11 @@ static void uniform_blocks_bound_the_number_of_sources(void **state)
 {
     (void)state;
     /* The header promises as much; a larger block changes nothing. */
-    assert_int_equal(ew_scene_capacity(65536), EW_MAX_SOURCE_UNITS);
-    assert_int_equal(ew_scene_capacity(1u << 30), EW_MAX_SOURCE_UNITS);
+    assert_int_equal(ew_sources_capacity(65536), EW_MAX_SOURCE_UNITS);
+    assert_int_equal(ew_sources_capacity(1u << 30), EW_MAX_SOURCE_UNITS);
     /* The least that GL promises is a quarter of 64 KiB, and the frame's part does not shrink. */
-    size_t least = ew_scene_capacity(16384);
-    assert_true(sizeof(struct ew_frame_block) + least * sizeof(ew_vec4) <= 16384);
+    size_t least = ew_sources_capacity(16384);
+    assert_true(sizeof(struct ew_uniform_head) + least * sizeof(ew_vec4) <= 16384);
     assert_in_range(least, EW_MAX_SOURCE_UNITS / 4 - 32, EW_MAX_SOURCE_UNITS / 4 + 8);
 }
 
@@ -240,19 +240,19 @@ static void the_largest_lists_are_taken(void **state)
         {.curves = curves, .curve_count = 3, .epsilon = 1},
     };
     size_t *counts[] = {&largest[0].point_count, &largest[1].line_count, &largest[2].torus_count, &largest[3].curve_count};
-    ew_scene scene = {0};
+    ew_sources taken = {0};
     for (int i = 0; i < 4; ++i) {
-        assert_int_equal(create(&largest[i], &scene, NULL), EW_OK);
+        assert_int_equal(create(&largest[i], &taken, NULL), EW_OK);
         ++*counts[i];
-        assert_int_equal(create(&largest[i], &scene, NULL), EW_ERROR_TOO_MANY_SOURCES);
+        assert_int_equal(create(&largest[i], &taken, NULL), EW_ERROR_TOO_MANY_SOURCES);
     }
     for (size_t i = 0; i < largest[4].curve_count; ++i) {
         curves[i].weights = weights;
         curves[i].weight_count = EW_MAX_WEIGHTS;
     }
-    assert_int_equal(create(&largest[4], &scene, NULL), EW_OK);
-    assert_int_equal(scene.weight_piece_count, 3 * (EW_MAX_WEIGHTS - 2));
-    ew_scene_destroy(&scene, &ew_default_allocator);
+    assert_int_equal(create(&largest[4], &taken, NULL), EW_OK);
+    assert_int_equal(taken.weight_piece_count, 3 * (EW_MAX_WEIGHTS - 2));
+    ew_sources_destroy(&taken, &ew_default_allocator);
     free(points);
     free(lines);
     free(tori);
@@ -272,18 +272,18 @@ static void the_limits_of_what_is_allowed_are_taken(void **state)
     memcpy(f.tori[1].axis, (double[3]){0, 1e300, -1e300}, sizeof f.tori[1].axis);
     memset(f.curves[1].polynomial, 0, sizeof f.curves[1].polynomial); /* a single point */
     memset(f.weights, 0, sizeof f.weights);
-    ew_scene scene = {0};
-    assert_int_equal(create(&f.desc, &scene, NULL), EW_OK);
-    ew_scene_destroy(&scene, &ew_default_allocator);
+    ew_sources taken = {0};
+    assert_int_equal(create(&f.desc, &taken, NULL), EW_OK);
+    ew_sources_destroy(&taken, &ew_default_allocator);
 
     ew_sources_desc none = {.epsilon = 1};
-    assert_int_equal(create(&none, &scene, NULL), EW_OK);
-    ew_scene_destroy(&scene, &ew_default_allocator);
+    assert_int_equal(create(&none, &taken, NULL), EW_OK);
+    ew_sources_destroy(&taken, &ew_default_allocator);
     /* An empty list may as well be a pointer to nothing. */
     none.points = f.points;
     none.curves = f.curves;
-    assert_int_equal(create(&none, &scene, NULL), EW_OK);
-    ew_scene_destroy(&scene, &ew_default_allocator);
+    assert_int_equal(create(&none, &taken, NULL), EW_OK);
+    ew_sources_destroy(&taken, &ew_default_allocator);
 }
 
 static void success_leaves_the_error_alone(void **state)
@@ -292,11 +292,11 @@ static void success_leaves_the_error_alone(void **state)
     field f;
     make_field(&f);
     ew_error error = {EW_ERROR_SHADER, "an older error"};
-    ew_scene scene = {0};
-    assert_int_equal(create(&f.desc, &scene, &error), EW_OK);
+    ew_sources taken = {0};
+    assert_int_equal(create(&f.desc, &taken, &error), EW_OK);
     assert_int_equal(error.code, EW_ERROR_SHADER);
     assert_string_equal(error.text, "an older error");
-    ew_scene_destroy(&scene, &ew_default_allocator);
+    ew_sources_destroy(&taken, &ew_default_allocator);
 }
 
 int main(void)

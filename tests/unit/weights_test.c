@@ -1,7 +1,8 @@
 /* Weight pieces against the recursive definition of the B-spline: equations (14) to (16). */
 #include "base/allocator.h"
 #include "check.h"
-#include "model/scene.h"
+#include "packed.h"
+#include "plan/plan.h"
 
 #include <stdlib.h>
 
@@ -36,18 +37,18 @@ static double spline(const double *weights, size_t n, double t)
     return sum;
 }
 
-/* A scene of curves that differ in their weights alone. */
-static ew_scene make_scene(ew_curve *curves, size_t count)
+/* Curves that differ in their weights alone. */
+static ew_sources make_sources(ew_curve *curves, size_t count)
 {
     for (size_t i = 0; i < count; ++i) {
         curves[i].domain[1] = 1;
         curves[i].coefficient = 1;
     }
     ew_sources_desc desc = {.curves = curves, .curve_count = count, .epsilon = 1};
-    size_t capacity = ew_scene_capacity(65536);
-    ew_scene scene = {0};
-    assert_int_equal(ew_scene_set(&scene, &desc, capacity, &ew_default_allocator, NULL), EW_OK);
-    return scene;
+    size_t capacity = ew_sources_capacity(65536);
+    ew_sources sources = {0};
+    assert_int_equal(ew_sources_set(&sources, &desc, capacity, &ew_default_allocator, NULL), EW_OK);
+    return sources;
 }
 
 /* S(t) from `count` pieces, as the block's description has it. */
@@ -69,14 +70,14 @@ static void pieces_are_the_recursive_spline(void **state)
         for (size_t i = 0; i < n; ++i)
             weights[i] = rand() % 5 ? rand() / (double)RAND_MAX : 0;
         ew_curve curve = {.weights = weights, .weight_count = n};
-        ew_scene scene = make_scene(&curve, 1);
-        assert_int_equal(scene.weight_piece_count, n - 2);
+        ew_sources sources = make_sources(&curve, 1);
+        assert_int_equal(sources.weight_piece_count, n - 2);
         for (int step = 0; step <= 1000; ++step) {
             double t = step / 1000.0;
             /* Three floats, each rounded once; the place along the piece is not. */
-            check_close(piecewise(scene.weight_pieces, n - 2, t), spline(weights, n, t), 3e-7);
+            check_close(piecewise(packed_weights(&sources), n - 2, t), spline(weights, n, t), 3e-7);
         }
-        ew_scene_destroy(&scene, &ew_default_allocator);
+        ew_sources_destroy(&sources, &ew_default_allocator);
     }
 }
 
@@ -85,12 +86,12 @@ static void the_papers_example_has_its_values(void **state)
     (void)state;
     const double weights[] = {1.0, 0.2, 0.6, 1.0, 0.5, 0.8, 1.0};
     ew_curve curve = {.weights = weights, .weight_count = 7};
-    ew_scene scene = make_scene(&curve, 1);
+    ew_sources sources = make_sources(&curve, 1);
     /* At a simple knot the quadratic spline is the mean of its two weights; at the ends it is the first and last. */
     const double knots[] = {1.0, 0.4, 0.8, 0.75, 0.65, 1.0};
     for (int i = 0; i <= 5; ++i)
-        check_close(piecewise(scene.weight_pieces, 5, i / 5.0), knots[i], 2e-7);
-    ew_scene_destroy(&scene, &ew_default_allocator);
+        check_close(piecewise(packed_weights(&sources), 5, i / 5.0), knots[i], 2e-7);
+    ew_sources_destroy(&sources, &ew_default_allocator);
 }
 
 static void even_weights_are_even_everywhere(void **state)
@@ -101,10 +102,10 @@ static void even_weights_are_even_everywhere(void **state)
         weights[i] = 0.75;
     for (size_t n = 1; n <= MAX_COUNT; ++n) {
         ew_curve curve = {.weights = weights, .weight_count = n};
-        ew_scene scene = make_scene(&curve, 1);
+        ew_sources sources = make_sources(&curve, 1);
         for (int step = 0; step <= 100; ++step)
-            assert_true(piecewise(scene.weight_pieces, scene.weight_piece_count, step / 100.0) == 0.75);
-        ew_scene_destroy(&scene, &ew_default_allocator);
+            assert_true(piecewise(packed_weights(&sources), sources.weight_piece_count, step / 100.0) == 0.75);
+        ew_sources_destroy(&sources, &ew_default_allocator);
     }
 }
 
@@ -113,14 +114,14 @@ static void one_weight_is_a_constant_and_two_are_a_ramp(void **state)
     (void)state;
     const double weights[] = {0.25, 2};
     ew_curve curves[2] = {{.weights = weights, .weight_count = 1}, {.weights = weights, .weight_count = 2}};
-    ew_scene scene = make_scene(curves, 2);
-    assert_int_equal(scene.weight_piece_count, 2);
+    ew_sources sources = make_sources(curves, 2);
+    assert_int_equal(sources.weight_piece_count, 2);
     for (int step = 0; step <= 8; ++step) {
         double t = step / 8.0;
-        check_close(piecewise(&scene.weight_pieces[0], 1, t), 0.25, 0);
-        check_close(piecewise(&scene.weight_pieces[1], 1, t), 0.25 + 1.75 * t, 0);
+        check_close(piecewise(&packed_weights(&sources)[0], 1, t), 0.25, 0);
+        check_close(piecewise(&packed_weights(&sources)[1], 1, t), 0.25 + 1.75 * t, 0);
     }
-    ew_scene_destroy(&scene, &ew_default_allocator);
+    ew_sources_destroy(&sources, &ew_default_allocator);
 }
 
 /* The curves' pieces stand one after the other, and each curve's block says where its own are. */
@@ -132,25 +133,25 @@ static void each_curve_finds_its_own_pieces(void **state)
                           {.weights = NULL, .weight_count = 0},
                           {.weights = lists[2], .weight_count = 4},
                           {.weights = lists[3], .weight_count = 1}};
-    ew_scene scene = make_scene(curves, 4);
+    ew_sources sources = make_sources(curves, 4);
     double expected[4][5];
     memcpy(expected, lists, sizeof lists);
-    memset(lists, 0, sizeof lists); /* the scene has its own copy */
+    memset(lists, 0, sizeof lists); /* they have their own copy */
 
     ew_frame_desc frame = EW_FRAME_DEFAULTS;
     frame.viewport_width = frame.viewport_height = 16;
-    struct ew_frame_block block;
-    assert_int_equal(ew_scene_pack(&scene, &frame, &block, NULL), EW_OK);
+    ew_plan plan;
+    assert_int_equal(ew_plan_frame(&plan, &sources, NULL, &frame, NULL), EW_OK);
     const size_t piece_counts[4] = {3, 0, 2, 1};
     for (int i = 0; i < 4; ++i) {
-        size_t first = (size_t)scene.curves[i].domain.z, count = (size_t)scene.curves[i].domain.w;
+        size_t first = (size_t)packed_curve(&sources, i)->domain.z, count = (size_t)packed_curve(&sources, i)->domain.w;
         assert_int_equal(count, piece_counts[i]);
-        assert_true(first + count <= scene.weight_piece_count);
+        assert_true(first + count <= sources.weight_piece_count);
         if (count == 0) continue;
-        check_close(piecewise(&scene.weight_pieces[first], count, 0), expected[i][0], 0);
-        check_close(piecewise(&scene.weight_pieces[first], count, 1), expected[i][curves[i].weight_count - 1], 1e-6);
+        check_close(piecewise(&packed_weights(&sources)[first], count, 0), expected[i][0], 0);
+        check_close(piecewise(&packed_weights(&sources)[first], count, 1), expected[i][curves[i].weight_count - 1], 1e-6);
     }
-    ew_scene_destroy(&scene, &ew_default_allocator);
+    ew_sources_destroy(&sources, &ew_default_allocator);
 }
 
 int main(void)

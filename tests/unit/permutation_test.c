@@ -1,0 +1,66 @@
+/* Keys of permutations: which frames share a shader, and which shader can stand in for another. */
+#include "check.h"
+#include "plan/permutation.h"
+
+static const ew_frame_desc defaults = EW_FRAME_DEFAULTS;
+
+static void counts_up_to_four_are_exact_and_more_are_any(void **state)
+{
+    (void)state;
+    for (size_t count = 0; count < 8; ++count) {
+        const ew_mix mix = {count, count, count, count, 0};
+        unsigned key = ew_permutation_of(&mix, &defaults);
+        for (int kind = 0; kind < EW_KIND_COUNT; ++kind)
+            assert_int_equal(ew_permutation_count(key, kind), count <= 4 ? count : EW_ANY_COUNT);
+    }
+}
+
+static void weights_count_only_where_a_kind_takes_them(void **state)
+{
+    (void)state;
+    const ew_mix points = {.point_count = 2, .has_weights = 1}, curves = {.curve_count = 2, .has_weights = 1};
+    assert_false(ew_permutation_of(&points, &defaults) & EW_PERMUTATION_WEIGHTS);
+    assert_true(ew_permutation_of(&curves, &defaults) & EW_PERMUTATION_WEIGHTS);
+}
+
+static void dither_is_for_pictures_of_eight_bits_alone(void **state)
+{
+    (void)state;
+    const ew_mix mix = {.point_count = 1};
+    ew_frame_desc frame = defaults;
+    frame.dither = 1;
+    assert_true(ew_permutation_of(&mix, &frame) & EW_PERMUTATION_DITHER);
+    frame.encoding = EW_ENCODING_SRGB_8BIT;
+    assert_true(ew_permutation_of(&mix, &frame) & EW_PERMUTATION_DITHER_SRGB);
+    frame.encoding = EW_ENCODING_FLOAT;
+    assert_false(ew_permutation_of(&mix, &frame) & EW_PERMUTATION_DITHER);
+    frame.encoding = EW_ENCODING_LINEAR_8BIT;
+    frame.output = EW_OUTPUT_LUMINANCE;
+    assert_false(ew_permutation_of(&mix, &frame) & EW_PERMUTATION_DITHER);
+}
+
+static void a_general_shader_covers_what_it_is_general_for(void **state)
+{
+    (void)state;
+    const ew_mix two_curves = {.curve_count = 2}, weighted = {.curve_count = 2, .has_weights = 1};
+    const ew_mix any_curves = {.curve_count = EW_ANY_COUNT, .has_weights = 1}, any_points = {.point_count = EW_ANY_COUNT};
+    unsigned any = ew_permutation_of(&any_curves, &defaults), two = ew_permutation_of(&two_curves, &defaults);
+    assert_true(ew_permutation_covers(any, two));
+    assert_true(ew_permutation_covers(any, ew_permutation_of(&weighted, &defaults)));
+    assert_true(ew_permutation_covers(two, two));
+    assert_false(ew_permutation_covers(two, any));
+    assert_false(ew_permutation_covers(two, ew_permutation_of(&weighted, &defaults)));
+    assert_false(ew_permutation_covers(ew_permutation_of(&any_points, &defaults), two));
+    assert_false(ew_permutation_covers(ew_permutation_with_depth(any, EW_DEPTH_KIND_SINGLE), two));
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(counts_up_to_four_are_exact_and_more_are_any),
+        cmocka_unit_test(weights_count_only_where_a_kind_takes_them),
+        cmocka_unit_test(dither_is_for_pictures_of_eight_bits_alone),
+        cmocka_unit_test(a_general_shader_covers_what_it_is_general_for),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
