@@ -1,6 +1,6 @@
 # Writes a C file that holds GLSL files as strings: cmake -DOUTPUT=x.c -DFILES="a.glsl;b.glsl" -P embed_glsl.cmake
-# The string of a.glsl is called ew_glsl_a_glsl and declared in glsl_text.h, unless -DPREFIX= and -DHEADER= say otherwise.
-# The bytes of each become an array, since compilers need not take string literals as long as a shader.
+# The string of a.glsl is called ew_glsl_a_glsl and is declared in plan/glsl_text.h; -DPREFIX= and -DHEADER= replace these two.
+# Each file becomes an array of bytes, since compilers need not accept a string literal as long as a shader.
 if(NOT DEFINED PREFIX)
     set(PREFIX ew_glsl_)
     set(HEADER plan/glsl_text.h)
