@@ -23,7 +23,7 @@ renders() {
     is "number of lines ew-render $* prints" 1 "$(wc -l < stdout)"
 }
 
-# A box fills the upper left quarter. RGBE represents the background's values exactly, and so does sRGB.
+# A box fills the upper left quarter. The background's numbers have exact RGBE and sRGB values.
 cat > box.json << 'JSON'
 { "version": 1, "comment": "a box in the upper left quarter",
   "camera": { "projection": "orthographic", "height": 2, "eye": [0, 0, 8], "target": [0, 0, 0] },
