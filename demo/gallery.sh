@@ -1,6 +1,6 @@
 #!/bin/sh
-# Draws every picture of docs/gallery.md and writes the page itself, so that each picture stands above the very command that drew
-# it. Needs ffmpeg for the animation.
+# Draws every picture of docs/gallery.md and writes the page itself, so that each picture stands above the very command that
+# drew it. Needs ffmpeg for the animation.
 # Usage: gallery.sh FOLDER_OF_PROGRAMS, from the top of the repository.
 set -eu
 programs=$1
@@ -83,7 +83,7 @@ text << 'TEXT'
 # Gallery
 
 Each picture stands above the command that drew it. `./run gallery` redraws all of them and rewrites this page. The programs are
-`build/demo/ew-render` and `build/demo/ew-demo`. Figure numbers are those of Watanabe's thesis, on which the scenes are modelled.
+`build/demo/ew-render` and `build/demo/ew-demo`. Figure numbers are those of Watanabe's thesis; the scenes follow its figures.
 
 ## The court
 
