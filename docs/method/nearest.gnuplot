@@ -43,7 +43,7 @@ unset border
 set key bottom center outside horizontal samplen 2
 
 set label "the first end is nearest" at -1.9, 2.1 front
-set label "the last end is nearest" at 0.8, 1.9 front
+set label "the last end is nearest" at 0.66, 1.9 front
 set label "the left arm" at -1.15, -0.2 front
 set label "the right arm" at 0.3, -0.2 front
 set label "jump" at 0.04, 0.72 font ",10" front
