@@ -1,7 +1,7 @@
 #!/bin/sh
-# Draws every picture of docs/gallery.md, and writes the page itself, so that each picture stands beside the very command that
-# made it. Needs ffmpeg for the animation.
-# Usage: gallery.sh FOLDER_OF_PROGRAMS; run from the top of the repository.
+# Draws every picture of docs/gallery.md and writes the page itself, so that each picture stands above the very command that
+# drew it. Needs ffmpeg for the animation.
+# Usage: gallery.sh FOLDER_OF_PROGRAMS, from the top of the repository.
 set -eu
 programs=$1
 page=docs/gallery.md
@@ -15,7 +15,7 @@ text() {
     echo >> $page
 }
 
-# picture NAME COMMAND...: runs the command, one of this project's, which writes the picture; and notes it.
+# picture NAME COMMAND...: runs the command, one of this project's, to draw the picture, and records both for the page.
 picture() {
     name=$1
     shift
@@ -28,7 +28,7 @@ picture() {
     cells="$cells ![$name](gallery/$name.png) |"
 }
 
-# row HEADING...: begins a row of pictures under these headings.
+# row HEADING...: starts a row of pictures under these headings.
 row() {
     commands=
     cells='|'
@@ -44,7 +44,7 @@ end_row() {
     printf '%s\n%s\n%s\n\n%s\n' "$heads" "$rule" "$cells" "$commands" >> $page
 }
 
-# views NAME: a scene from its three sides.
+# views NAME VIEW...: draws a scene from each side.
 views() {
     scene=$1
     shift
@@ -55,16 +55,16 @@ views() {
     end_row
 }
 
-# banding NAME: a scene by both methods.
+# banding NAME: draws a scene with both integrators.
 banding() {
-    row 'adaptive (ours)' "Simpson's rule, 64" 128 256
+    row 'adaptive (ours)' 'Simpson, 64 divisions' 128 256
     for integrator in adaptive simpson:64 simpson:128 simpson:256; do
         picture "$1-$(echo $integrator | tr -d :)" ew-render demo/scenes/"$1".json --size 240x240 --integrator $integrator
     done
     end_row
 }
 
-# pulse_weights FRAME: thesis (5.1) for 7 weights, a JSON list.
+# pulse_weights FRAME: prints the 7 weights of thesis (5.1) as a JSON list.
 pulse_weights() {
     awk -v frame="$1" 'BEGIN {
         pi = atan2(0, -1)
@@ -82,28 +82,29 @@ rm -f $page
 text << 'TEXT'
 # Gallery
 
-Each picture beside the command that made it; `./run gallery` makes all of them, and this page, anew. The programs are
-`build/demo/ew-render` and `build/demo/ew-demo`. Figures are those of Watanabe's thesis; the scenes are ours, after them.
+Each picture stands above the command that drew it. `./run gallery` redraws all of them and rewrites this page. The programs are
+`build/demo/ew-render` and `build/demo/ew-demo`. Figure numbers are those of Watanabe's thesis; the scenes follow its figures.
 
 ## The court
 
-`./run demo` shows it in a window, through which one can fly; the keys switch between the methods while it runs. The beams change
-their shape in every frame (figure 5.5), and pulses run along them.
+`./run demo` shows the court in a window. You can fly through it, and switch between the integrators by keys while it runs. The
+beams change their shape in every frame (figure 5.5), and pulses run along them.
 
-![The court: beams charge an orb, which fires](gallery/court.webp)
+![The court: beams charge an orb, and the orb fires](gallery/court.webp)
 
     ew-demo --offscreen --fps 15 --frames 0-149 --size 480x270 --samples 2 -o court-%03d.png
 TEXT
 
-row 'the picture' 'left: adaptive; right: Simpson, 64 divisions'
+row 'adaptive' 'left: adaptive; right: Simpson, 64 divisions'
 picture court-charging ew-demo --offscreen --frames 148 --size 480x270 --samples 2
 picture court-split ew-demo --offscreen --frames 148 --size 480x270 --samples 2 --split simpson:64
 end_row
 text << 'TEXT'
-Half a second after the shot, as maps: how often the ray of each pixel was evaluated (black 0, pale yellow 4096), and how far
-off its luminance is (black 1e-6 or less, pale yellow 0.1 or more), against Simpson's rule with 16384 divisions.
+The maps below show the court half a second after the shot. On the left is the number of evaluations along each pixel's ray,
+from black (0) to pale yellow (4096). On the right is the error of its luminance, from black (1e-6 or less) to pale yellow (0.1
+or more), relative to Simpson's rule with 16384 divisions.
 TEXT
-row 'evaluations: adaptive, Simpson 256' 'errors: adaptive, Simpson 256'
+row 'evaluations: adaptive, then Simpson, 256 divisions' 'errors: adaptive, then Simpson, 256 divisions'
 picture court-evaluations ew-demo --offscreen --frames 165 --size 240x135 --split simpson:256 --show evaluations
 picture court-error ew-demo --offscreen --frames 165 --size 240x135 --split simpson:256 --show error
 end_row
@@ -123,7 +124,7 @@ views beziers-7.5 front oblique side
 text << 'TEXT'
 ## Weights along a curve (figure 5.6)
 TEXT
-row 'all of them 1' 'W = [1, 0.2, 0.6, 1, 0.5, 0.8, 1]'
+row 'all weights 1' 'W = [1, 0.2, 0.6, 1, 0.5, 0.8, 1]'
 picture weights-ones ew-render demo/scenes/weights-ones.json --size 256x256
 picture weights-seven ew-render demo/scenes/weights-seven.json --size 256x256
 end_row
@@ -131,8 +132,8 @@ end_row
 text << 'TEXT'
 ## A pulse runs along a curve (figure 5.7)
 
-The weights are those of equation (5.1) at the frame above each picture, `ew_fill_pulse_weights` in the library. The scene is
-`weights-seven.json` with these weights in place of its own.
+The weights are those of equation (5.1) at the frame number above each picture; in the library, `ew_fill_pulse_weights` computes
+them. The scene is `weights-seven.json` with these weights instead of its own.
 TEXT
 row 15 25 35 45 55 65
 for frame in 15 25 35 45 55 65; do
@@ -150,16 +151,16 @@ commands="$commands
 end_row
 
 text << 'TEXT'
-## Few divisions show (figures 5.9 to 5.12)
+## Too few divisions leave bands (figures 5.9 to 5.12)
 
-The papers' rule leaves an unevenness where the divisions are few, which the white of a high coefficient hides; the adaptive
-integrator has none.
+With few divisions, the papers' rule leaves uneven bands. A high coefficient hides them in white. The adaptive integrator leaves
+none.
 
-Torus, coefficient 8, then 4:
+A torus, with coefficient 8, then 4:
 TEXT
 banding banding-torus-8.0
 banding banding-torus-4.0
-echo 'Curve, coefficient 8, then 4:' | text
+echo 'A curve, with coefficient 8, then 4:' | text
 banding banding-curve-8.0
 banding banding-curve-4.0
 
@@ -172,6 +173,6 @@ end_row
 
 echo 'court.webp'
 "$programs"/ew-demo --offscreen --fps 15 --frames 0-149 --size 480x270 --samples 2 -o "$scratch/%03d.png"
-# Not libwebp_anim, which keeps blocks of earlier frames where a glow fades, and takes no less for it.
+# libwebp_anim leaves blocks of earlier frames where a glow fades, and its files are no smaller.
 ffmpeg -loglevel error -y -framerate 15 -i "$scratch/%03d.png" -c:v libwebp -quality 72 -compression_level 6 -loop 0 \
     $pictures/court.webp

@@ -1,4 +1,5 @@
-# What tests that are shell scripts share; they source it. A test complains of what is wrong, goes on, and concludes.
+# Functions for the tests that are shell scripts; they source this file. A test reports each fault with `complain`, goes on, and
+# ends with `concludes`.
 # shellcheck shell=sh
 failures=0
 
@@ -9,7 +10,7 @@ needs() {
     done
 }
 
-# enters FOLDER: a new one of that name, for what the test writes.
+# enters FOLDER: makes a new, empty folder for what the test writes, and goes there.
 enters() {
     rm -rf "$1" && mkdir "$1" && cd "$1" || exit 1
 }
@@ -19,8 +20,8 @@ complain() {
     printf 'FAILED: %s\n' "$*"
 }
 
-# alike EW_PROBE_IMAGE A B: 8-bit pictures that may be by different rasterisers, at most 2/255 apart anywhere, and more than 1/255
-# apart in 0.1 % of the pixels at most.
+# alike EW_PROBE_IMAGE A B: compares two 8-bit pictures, which different rasterisers may have drawn. They may differ by 2/255 at
+# most, and by more than 1/255 in at most 0.1 % of the pixels.
 alike() {
     largest=256
     above=100

@@ -1,5 +1,5 @@
 #!/bin/sh
-# Draws the figures of docs/method.md anew. Needs gnuplot, and ew-render and ew-accuracy in a build folder.
+# Redraws the figures of docs/method.md. Needs gnuplot, and ew-render and ew-accuracy in a build folder.
 # Usage: docs/method/make_figures.sh BUILD_FOLDER
 set -eu
 build=$(cd "$1" && pwd)

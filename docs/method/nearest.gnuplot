@@ -1,9 +1,9 @@
-# The plane of an arc of a parabola, C(tau) = (tau, tau^2): which point of the arc is nearest. Run by make_figures.sh.
+# Draws which point of an arc is nearest, in the plane of its parabola C(tau) = (tau, tau^2). Run by make_figures.sh.
 first = -1.
 last = 0.7
 y(tau) = tau * tau
 
-# On the normal at tau, the place that is as far from C(tau) as from `end`.
+# The point on the normal at tau that is equally far from C(tau) and from `end`.
 normal_x(tau) = -2 * tau / sqrt(1 + 4 * tau * tau)
 normal_y(tau) = 1 / sqrt(1 + 4 * tau * tau)
 along(tau, end) = ((tau - end) ** 2 + (y(tau) - y(end)) ** 2) \
@@ -11,7 +11,7 @@ along(tau, end) = ((tau - end) ** 2 + (y(tau) - y(end)) ** 2) \
 equal_x(tau, end) = tau + along(tau, end) * normal_x(tau)
 equal_y(tau, end) = y(tau) + along(tau, end) * normal_y(tau)
 
-# The cell of the last end is bounded by its normal, by where points of the other arm are as near, and by the ends' bisector.
+# The cell of the last end is bounded by its normal, by the points that are as near to the other arm, and by the ends' bisector.
 set print $last_cell
 print last - 4 * normal_x(last), y(last) - 4 * normal_y(last)
 do for [i = 0 : 40] {
@@ -42,8 +42,8 @@ unset ytics
 unset border
 set key bottom center outside horizontal samplen 2
 
-set label "nearest: the first end" at -1.9, 2.1 front
-set label "nearest: the last end" at 0.8, 1.9 front
+set label "the first end is nearest" at -1.9, 2.1 front
+set label "the last end is nearest" at 0.66, 1.9 front
 set label "the left arm" at -1.15, -0.2 front
 set label "the right arm" at 0.3, -0.2 front
 set label "jump" at 0.04, 0.72 font ",10" front

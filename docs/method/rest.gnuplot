@@ -1,12 +1,12 @@
-# A ray past an arc: 1 / distance, its closed form, and the rest with the quadrature's nodes, found as glsl/rest.glsl finds them.
-# Run by make_figures.sh.
+# Draws 1 / distance to an arc along a ray, the closed form, and the rest with the nodes of the quadrature. The nodes are found
+# as in glsl/source/rest.glsl. Run by make_figures.sh.
 beta = 1.
 epsilon = 0.003
 tolerance = 1e-3 # of the quality "1e-3"
 first_panel = 10.
 growth_of_panels = 3.
 
-# The ray L(s) = start + s direction, and the arc C(tau) = (slope tau, bend tau^2, 0), whose ends are nowhere nearest.
+# The ray L(s) = start + s direction, and the arc C(tau) = (slope tau, bend tau^2, 0). The arc's ends are never nearest.
 array start[3] = [-0.35, -0.12, -0.42]
 array direction[3] = [0.6, 0.12, 0.9]
 slope = 0.6
@@ -48,7 +48,7 @@ array stops[2] = [0., 1.]
 count = 0
 v_center = 1 / (s0 + beta)
 peak = first_panel * sqrt(max(b2, epsilon ** 2) / k) * v_center ** 2
-# In place of the closed form, for the allowance.
+# A sum replaces the closed form; only the tolerance depends on it.
 length = 1 / beta - 1 / (1 + beta)
 reciprocal = sum [i = 0 : 499] field(1 / (1 / (1 + beta) + (i + 0.5) / 500 * length) - beta) * length / 500
 do for [side = 1 : 2] {
@@ -84,7 +84,7 @@ set samples 600
 set grid linecolor rgb "#dddddd"
 set xlabel "v = 1 / (s + beta)"
 set xrange [0.5 : 1]
-set title "1 / distance to an arc, and what has a closed form"
+set title "1 / distance to an arc, and the closed form"
 set key below samplen 2
 set lmargin 7
 plot field(1 / x - beta) title "1 / distance" linewidth 3 linecolor rgb "#80b0ff", \
@@ -92,5 +92,5 @@ plot field(1 / x - beta) title "1 / distance" linewidth 3 linecolor rgb "#80b0ff
 set title "the rest: ".count." evaluations"
 plot rest(x) title "1 / distance - closed form" linewidth 2 linecolor rgb "#2060c0", \
     $nodes using 1:(rest($1)) title "nodes" with points pointtype 7 pointsize 0.5 linecolor rgb "#c03020", \
-    $panels using 1:(0) title "ends of panels" with points pointtype 2 pointsize 0.7 linecolor rgb "black"
+    $panels using 1:(0) title "panel ends" with points pointtype 2 pointsize 0.7 linecolor rgb "black"
 unset multiplot

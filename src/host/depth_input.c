@@ -1,16 +1,16 @@
-/* Depth textures of the host's, and copies of framebuffers' depth. */
+/* The host's depth textures, and copies of the depth of framebuffers. */
 #include "host/depth_input.h"
 
 #include "base/error.h"
 #include "host/state_guard.h"
 
-/* The compatibility profile's parameter of depth textures, which the core profile dropped, and its value for red. */
+/* A parameter of depth textures that the core profile dropped. */
 enum { COMPATIBILITY_DEPTH_TEXTURE_MODE = 0x884B };
 
 /* ---- The host's textures ---- */
 
-/* The parameters that the shader's reads go through, and those that reads of depth as it is want. (The sampler object sees to
- * the rest.) */
+/* Texture parameters that alter what a fetch of depth returns, and the values that leave it as it is. The sampler object
+ * overrides the rest. */
 static const struct {
     GLenum name;
     GLint wanted;
@@ -43,7 +43,7 @@ static void set_parameters(const ew_gl *gl, ew_depth_input *depth)
     }
 }
 
-/* GL does not tell a texture's target, but it binds a texture to no other; that is an error then, and the binding stays. */
+/* GL cannot be asked for a texture's target. But binding a texture to another target is an error and leaves the old binding. */
 static ew_result bind_texture(const ew_gl *gl, const ew_plan *plan, GLenum target, ew_error *error)
 {
     bool multisampled = target == GL_TEXTURE_2D_MULTISAMPLE;
@@ -89,8 +89,8 @@ static ew_result bind_host_texture(const ew_gl *gl, const ew_plan *plan, ew_dept
 
 /* ---- Copies of a framebuffer's depth ---- */
 
-/* The formats that depth buffers have. GL copies depth only between equal ones (OpenGL ES 3.2, 16.2.1), but tells no more than
- * their bits: whether 24 bits stand beside a stencil or beside nothing takes a try. */
+/* The formats of depth buffers. GL copies depth only between equal formats (OpenGL ES 3.2, 16.2.1), but reveals only their
+ * bits. Whether 24 bits of depth share a format with a stencil must be tried. */
 static const struct {
     GLint depth_bits;
     GLenum component_type;
@@ -116,7 +116,7 @@ static GLint attachment_parameter(const ew_gl *gl, GLenum attachment, GLenum nam
     return value;
 }
 
-/* The depth of the read framebuffer, as far as GL tells; depth_bits 0: it has none. */
+/* Returns what GL reveals about the depth of the read framebuffer. depth_bits is 0 if it has no depth. */
 static ew_depth_copy ask_depth(const ew_gl *gl, bool is_window)
 {
     const GLenum depth = is_window ? GL_DEPTH : GL_DEPTH_ATTACHMENT, stencil = is_window ? GL_STENCIL : GL_STENCIL_ATTACHMENT;
@@ -129,13 +129,13 @@ static ew_depth_copy ask_depth(const ew_gl *gl, bool is_window)
     return asked;
 }
 
-/* A framebuffer without images, bound. It is made for one copy only: contexts that share objects do not share it. */
+/* Makes and binds a framebuffer without images. It serves one copy only, since contexts do not share framebuffers. */
 static GLuint make_framebuffer(const ew_gl *gl)
 {
     GLuint framebuffer;
     gl->GenFramebuffers(1, &framebuffer);
     gl->BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-    /* Before OpenGL 4.1 a framebuffer whose colour buffers are missing is incomplete. */
+    /* Before OpenGL 4.1, a framebuffer is incomplete if a draw or read buffer names a missing image. */
     gl->DrawBuffers(1, &(GLenum){GL_NONE});
     gl->ReadBuffer(GL_NONE);
     return framebuffer;
@@ -146,7 +146,7 @@ static void attach(const ew_depth_copy *copy, const ew_gl *gl)
     gl->FramebufferTexture2D(GL_DRAW_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, copy->target, copy->texture, 0);
 }
 
-/* Gives the copy's texture, which is bound, new storage. With a pixel unpack buffer bound, GL would fill it from there. */
+/* Gives the copy's texture, which is bound, new storage. GL would fill it from a pixel unpack buffer if one were bound. */
 static void allocate(const ew_depth_copy *copy, const ew_gl *gl, int format)
 {
     GLint internal_format = copy_formats[format].internal_format, unpack_buffer = 0;
@@ -162,7 +162,7 @@ static void allocate(const ew_depth_copy *copy, const ew_gl *gl, int format)
         gl->BindBuffer(GL_PIXEL_UNPACK_BUFFER, (GLuint)unpack_buffer);
 }
 
-/* The pixels under the viewport, from the lower left corner (inclusive) to the upper right (exclusive). */
+/* Pixels from the lower left corner, inclusive, to the upper right corner, exclusive. */
 typedef struct rectangle {
     GLint left, bottom, right, top;
 } rectangle;
@@ -180,15 +180,15 @@ static rectangle viewport_rectangle(const ew_plan *plan, GLint limit)
                        clamp((long long)viewport->y + viewport->height, limit)};
 }
 
-/* Equal rectangles: OpenGL ES copies multisampled framebuffers to no others. The host's scissor holds here too, which leaves
- * out only what is not drawn. */
+/* Both rectangles are equal because OpenGL ES requires that of multisampled framebuffers. The host's scissor stays in force: it
+ * excludes only pixels that are not drawn either. */
 static void copy_pixels(const ew_gl *gl, const rectangle *area)
 {
     gl->BlitFramebuffer(area->left, area->bottom, area->right, area->top, area->left, area->bottom, area->right, area->top,
                         GL_DEPTH_BUFFER_BIT, GL_NEAREST);
 }
 
-/* A lost context reports errors for ever. */
+/* The count is limited because a lost context never stops reporting errors. */
 static void clear_errors(const ew_gl *gl)
 {
     for (int i = 0; i < 16 && gl->GetError() != GL_NO_ERROR; i++)
@@ -227,7 +227,7 @@ static bool has_same_format(const ew_depth_copy *a, const ew_depth_copy *b)
            a->samples == b->samples;
 }
 
-/* A texture object is of one target for ever. */
+/* A texture object keeps its first target for ever, so another target needs a new one. */
 static void bind_copy(ew_depth_copy *copy, const ew_gl *gl, GLenum target)
 {
     if (copy->target != target) {
@@ -238,7 +238,7 @@ static void bind_copy(ew_depth_copy *copy, const ew_gl *gl, GLenum target)
     gl->BindTexture(target, copy->texture);
 }
 
-/* From the framebuffer that is bound for reading, through the one bound for drawing. */
+/* Copies depth from the read framebuffer to the copy's texture, which it attaches to the draw framebuffer. */
 static ew_result copy_between(ew_depth_copy *copy, const ew_gl *gl, const ew_plan *plan, const ew_depth_input *depth,
                               ew_error *error)
 {
@@ -285,12 +285,12 @@ static ew_result bind_copied_depth(ew_depth_copy *copy, const ew_gl *gl, const e
     return result;
 }
 
-/* ---- Either ---- */
+/* ---- Both kinds of source ---- */
 
 ew_depth_kind ew_depth_input_kind(const ew_gl *gl, const ew_depth_request *request)
 {
+    /* OpenGL ES cannot copy samples without resolving them. */
     if (request->source == EW_DEPTH_FRAMEBUFFER) {
-        /* OpenGL ES copies samples only as it resolves them. */
         GLint samples = 0;
         if (!gl->es) gl->GetIntegerv(GL_SAMPLES, &samples);
         return samples > 0 ? EW_DEPTH_KIND_MULTISAMPLE : EW_DEPTH_KIND_SINGLE;

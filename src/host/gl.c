@@ -9,9 +9,9 @@
 typedef struct function_loader {
     ew_gl_function (*get_proc_address)(void *user, const char *name);
     void *user;
-    char missing[128]; /* the names of functions not found, as many as fit */
+    char missing[128]; /* the names of functions that were not found, as many as fit */
     int missing_count;
-    bool missing_unnamed; /* whether some did not fit */
+    bool missing_unnamed; /* some names did not fit */
 } function_loader;
 
 static ew_gl_function load_function(function_loader *loader, const char *name, const char *suffix)
@@ -60,9 +60,10 @@ static bool has_extension(const ew_gl *gl, const char *name)
     return false;
 }
 
-/* What brings a group of functions: a version (NEVER for none), or an extension, whose names end in `suffix`. */
+/* In place of a version: no version has the functions, only an extension. */
 enum { NEVER = 1000 };
 
+/* A version that has a group of functions, or an extension that has them under names that end in `suffix`. */
 typedef struct group_source {
     bool es;
     int version;
@@ -167,7 +168,7 @@ ew_result ew_gl_load(ew_gl *gl, ew_gl_function (*get_proc_address)(void *user, c
     load_common(gl, &loader, "");
     if (gl->GetString == NULL) return fail_missing(&loader, error);
 
-    /* The integers GL_MAJOR_VERSION and GL_MINOR_VERSION are errors in contexts older than 3.0; the string never is. */
+    /* Contexts older than 3.0 have the version only as a string, not as the integer GL_MAJOR_VERSION. */
     const char *version = (const char *)gl->GetString(GL_VERSION);
     if (version == NULL)
         return ew_fail(error, EW_ERROR_UNSUPPORTED_CONTEXT, "no GL context is current: glGetString(GL_VERSION) returned NULL");

@@ -1,4 +1,4 @@
-/* The host's GL: the functions that its loader returns, and what its context can do. */
+/* The host's GL: the functions that its loader returns, and the abilities of its context. */
 #ifndef EW_GL_H
 #define EW_GL_H
 
@@ -7,7 +7,7 @@
 #include <GL/glcorearb.h>
 #include <stdbool.h>
 
-/* Each list expands X(type, name) for functions that come together: those that every context has, ... */
+/* Each list expands X(type, name) for a group of functions. Every context has the functions of this group. */
 #define EW_GL_FUNCTIONS(X)                                                                                                     \
     X(PFNGLACTIVETEXTUREPROC, ActiveTexture)                                                                                   \
     X(PFNGLATTACHSHADERPROC, AttachShader)                                                                                     \
@@ -80,35 +80,37 @@
     X(PFNGLUSEPROGRAMPROC, UseProgram)                                                                                         \
     X(PFNGLVIEWPORTPROC, Viewport)
 
-/* ... and those of some contexts only, NULL in the others: colour masks and blending of one draw buffer, */
+/* Contexts may lack the groups below; their functions are then NULL. This group sets masks and switches of one draw buffer. */
 #define EW_GL_INDEXED_MASK_FUNCTIONS(X)                                                                                        \
     X(PFNGLCOLORMASKIPROC, ColorMaski)                                                                                         \
     X(PFNGLDISABLEIPROC, Disablei)                                                                                             \
     X(PFNGLENABLEIPROC, Enablei)                                                                                               \
     X(PFNGLISENABLEDIPROC, IsEnabledi)
+/* Blending of one draw buffer. */
 #define EW_GL_INDEXED_BLEND_FUNCTIONS(X)                                                                                       \
     X(PFNGLBLENDEQUATIONIPROC, BlendEquationi)                                                                                 \
     X(PFNGLBLENDEQUATIONSEPARATEIPROC, BlendEquationSeparatei)                                                                 \
     X(PFNGLBLENDFUNCSEPARATEIPROC, BlendFuncSeparatei)
-/* multisampled textures and sample masks, */
+/* Multisampled textures and sample masks. */
 #define EW_GL_MULTISAMPLE_FUNCTIONS(X)                                                                                         \
     X(PFNGLGETTEXLEVELPARAMETERIVPROC, GetTexLevelParameteriv)                                                                 \
     X(PFNGLSAMPLEMASKIPROC, SampleMaski)
-/* one viewport of several, */
+/* One viewport of a viewport array. */
 #define EW_GL_VIEWPORT_ARRAY_FUNCTIONS(X) X(PFNGLVIEWPORTINDEXEDFPROC, ViewportIndexedf)
-/* program pipelines, */
+/* Program pipelines. */
 #define EW_GL_PIPELINE_FUNCTIONS(X)                                                                                            \
     X(PFNGLACTIVESHADERPROGRAMPROC, ActiveShaderProgram)                                                                       \
     X(PFNGLDELETEPROGRAMPIPELINESPROC, DeleteProgramPipelines)                                                                 \
     X(PFNGLGENPROGRAMPIPELINESPROC, GenProgramPipelines)
-/* transform feedback that pauses, */
+/* Transform feedback that can be paused. */
 #define EW_GL_TRANSFORM_FEEDBACK_FUNCTIONS(X)                                                                                  \
     X(PFNGLPAUSETRANSFORMFEEDBACKPROC, PauseTransformFeedback)                                                                 \
     X(PFNGLRESUMETRANSFORMFEEDBACKPROC, ResumeTransformFeedback)
-/* and what OpenGL ES, or the core profile, dropped. */
+/* Functions that OpenGL has and OpenGL ES lacks. */
 #define EW_GL_DESKTOP_FUNCTIONS(X)                                                                                             \
     X(PFNGLPOLYGONMODEPROC, PolygonMode)                                                                                       \
     X(PFNGLTEXIMAGE2DMULTISAMPLEPROC, TexImage2DMultisample)
+/* Functions that only the compatibility profile uses. */
 #define EW_GL_COMPATIBILITY_FUNCTIONS(X) X(PFNGLCLAMPCOLORPROC, ClampColor)
 
 enum { EW_GL_MAX_CAPABILITIES = 40 };
@@ -126,29 +128,29 @@ typedef struct ew_gl {
     EW_GL_COMPATIBILITY_FUNCTIONS(EW_GL_MEMBER)
 #undef EW_GL_MEMBER
 
-    bool es;                      /* OpenGL ES: shaders start with "#version 300 es", else with "#version 330 core" */
-    bool compatibility;           /* the compatibility profile */
+    bool es;                      /* OpenGL ES, not OpenGL */
+    bool compatibility;           /* OpenGL in its compatibility profile */
     int version;                  /* 10 * major + minor */
-    bool software;                /* drawn by the processor */
+    bool software;                /* a software rasteriser */
     bool parallel_shader_compile; /* the driver can be asked whether a program is complete */
     GLint max_uniform_block_size;
-    GLint max_varying_vectors; /* between a vertex and a fragment shader, gl_Position not counted */
+    GLint max_varying_vectors; /* from the vertex to the fragment shader, besides gl_Position */
     GLint max_draw_buffers;
     bool framebuffer_srgb;  /* GL_FRAMEBUFFER_SRGB can be enabled and disabled */
-    bool multisample;       /* likewise GL_MULTISAMPLE */
+    bool multisample;       /* GL_MULTISAMPLE can be enabled and disabled */
     bool stencil_texturing; /* textures have GL_DEPTH_STENCIL_TEXTURE_MODE */
 
-    /* Of the capabilities that glEnable takes, those of this context that must be off while the effect draws. */
+    /* Capabilities of this context, for glDisable, that must be off while the effect draws. */
     GLenum unwanted_capabilities[EW_GL_MAX_CAPABILITIES];
     int unwanted_capability_count;
 } ew_gl;
 
-/* Whether a GL_RENDERER, which may be NULL, is drawn by the processor. */
+/* Whether a GL_RENDERER string, which may be NULL, names a software rasteriser. */
 bool ew_gl_is_software(const char *renderer);
 
-/* Looks up the functions of the current context and what it can do.
+/* Loads the functions of the current context and finds out its abilities.
  *
- * Errors: MISSING_FUNCTION (names them), UNSUPPORTED_CONTEXT (says what was found); `gl` is then undefined.
+ * Errors: MISSING_FUNCTION (names the functions), UNSUPPORTED_CONTEXT (says what was found). `gl` is then undefined.
  * GL:     changes nothing. */
 ew_result ew_gl_load(ew_gl *gl, ew_gl_function (*get_proc_address)(void *user, const char *name), void *user, ew_error *error);
 

@@ -1,4 +1,4 @@
-/* Keeps programs: see program_cache.h. */
+/* The list of programs, and the search in it. */
 #include "host/program_cache.h"
 
 #include "base/error.h"
@@ -40,7 +40,7 @@ static ew_result grow(ew_program_cache *cache, const ew_allocator *allocator, ew
     return EW_OK;
 }
 
-/* Returns the entry of `key`, which is started if there is none. */
+/* Finds the entry of `key`, or starts to compile its program and adds it. */
 static ew_result start(ew_program_cache *cache, const ew_gl *gl, const ew_allocator *allocator, unsigned key,
                        struct ew_cached_program **entry, ew_error *error)
 {
@@ -57,7 +57,7 @@ static ew_result start(ew_program_cache *cache, const ew_gl *gl, const ew_alloca
     return EW_OK;
 }
 
-/* Waits for the entry's program. An entry that fails leaves the cache. */
+/* Waits for the entry's program. An entry that fails is removed. */
 static ew_result finish(ew_program_cache *cache, const ew_gl *gl, struct ew_cached_program *entry, GLuint *name,
                         ew_error *error)
 {

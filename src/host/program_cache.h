@@ -1,4 +1,4 @@
-/* The programs compiled so far, and those under way. */
+/* The programs that are compiled, and those still compiling. */
 #ifndef EW_PROGRAM_CACHE_H
 #define EW_PROGRAM_CACHE_H
 
@@ -13,13 +13,13 @@ typedef struct ew_program_cache {
     size_t capacity;
 } ew_program_cache;
 
-/* Starts to make the program of `key`, unless the cache holds it. Returns its
- * name in `name` if it is ready, and else 0, without waiting where the driver can tell. Changes the program in use. */
+/* Starts to compile the program of `key`, unless the cache holds it. `name` receives its name if it is ready, or else 0. Waits
+ * only if the driver cannot say whether a program is ready. Changes the program in use. */
 ew_result ew_program_prepare(ew_program_cache *cache, const ew_gl *gl, const ew_allocator *allocator, unsigned key,
                              GLuint *name, ew_error *error);
 
-/* Returns the name of a program that draws what the one of `key` would: that one, or a more general one if it is not ready; if
- * there is none of either, waits for it. Changes the program in use. */
+/* Finds a ready program for `key`, or a ready one that is more general, or else compiles that of `key` and waits for it. `name`
+ * receives its name. Changes the program in use. */
 ew_result ew_program_get(ew_program_cache *cache, const ew_gl *gl, const ew_allocator *allocator, unsigned key, GLuint *name,
                          ew_error *error);
 

@@ -3,7 +3,7 @@
 
 #include "base/error.h"
 
-/* glColorClamp's target that the core profile dropped, and its default. */
+/* A target of glClampColor that the core profile dropped. */
 enum { COMPATIBILITY_CLAMP_FRAGMENT_COLOR = 0x891B };
 
 static GLint get_integer(const ew_gl *gl, GLenum name)
@@ -13,8 +13,8 @@ static GLint get_integer(const ew_gl *gl, GLenum name)
     return value;
 }
 
-/* The name of what is bound, or 0 if another context has deleted it since: binding such a name is an error in the core profile,
- * and makes a new object in the others. */
+/* Returns the name that is bound, or 0 if another context has deleted the object since. Binding such a name is an error in the
+ * core profile, and makes a new object elsewhere. */
 static GLuint get_binding(const ew_gl *gl, GLenum name, GLboolean(APIENTRYP is_object)(GLuint name))
 {
     GLuint binding = (GLuint)get_integer(gl, name);
@@ -26,8 +26,8 @@ GLuint ew_gl_uniform_buffer(const ew_gl *gl)
     return get_binding(gl, GL_UNIFORM_BUFFER_BINDING, gl->IsBuffer);
 }
 
-/* GL deletes a program that is flagged for deletion as soon as it is not current anywhere, unless it is the active program of
- * a pipeline (OpenGL 4.6 core, 7.3): so a pipeline of our own keeps it. */
+/* Once a program that is flagged for deletion is current nowhere, GL deletes it, unless it is the active program of a pipeline
+ * (OpenGL 4.6 core, 7.3). So a pipeline of our own keeps it alive. */
 static ew_result keep_program(const ew_gl *gl, ew_gl_state *state, ew_error *error)
 {
     state->program_keeper = 0;
@@ -91,8 +91,8 @@ ew_result ew_gl_save_state(const ew_gl *gl, ew_gl_state *state, ew_error *error)
     state->draw_buffer_count = 0;
     gl->GetFloatv(GL_VIEWPORT, state->viewport);
 
-    /* Of indexed state, the queries without an index return that of draw buffer 0. But to this one NVIDIA's driver says true
-     * where blending is on for another buffer alone, too. */
+    /* A query without an index should return draw buffer 0's state. But NVIDIA's driver returns true for GL_BLEND even if only
+     * another draw buffer blends. */
     state->blend = gl->IsEnabledi ? gl->IsEnabledi(GL_BLEND, 0) : gl->IsEnabled(GL_BLEND);
     state->blend_source_rgb = (GLenum)get_integer(gl, GL_BLEND_SRC_RGB);
     state->blend_destination_rgb = (GLenum)get_integer(gl, GL_BLEND_DST_RGB);
@@ -106,7 +106,7 @@ ew_result ew_gl_save_state(const ew_gl *gl, ew_gl_state *state, ew_error *error)
         GLint modes[2];
         gl->GetIntegerv(GL_POLYGON_MODE, modes);
         state->polygon_mode[0] = (GLenum)modes[0];
-        /* Only the compatibility profile has one for each face; drivers for the core profile return one or two. */
+        /* Only the compatibility profile has a mode for each face; in the core profile, drivers return one value or two. */
         state->polygon_mode[1] = (GLenum)modes[gl->compatibility ? 1 : 0];
     }
     if (gl->ClampColor) state->clamp_fragment_color = (GLenum)get_integer(gl, COMPATIBILITY_CLAMP_FRAGMENT_COLOR);
@@ -131,7 +131,7 @@ static void set_capability(const ew_gl *gl, GLenum capability, bool on)
 
 static void set_viewport(const ew_gl *gl, const GLfloat viewport[4])
 {
-    /* glViewport would set all viewports of a viewport array. */
+    /* glViewport would set every viewport of a viewport array. */
     if (gl->ViewportIndexedf)
         gl->ViewportIndexedf(0, viewport[0], viewport[1], viewport[2], viewport[3]);
     else
@@ -157,7 +157,7 @@ static void set_blend_factors(const ew_gl *gl, GLenum source_rgb, GLenum destina
 
 static void set_blend_equation(const ew_gl *gl, GLenum rgb, GLenum alpha)
 {
-    /* The functions for separate equations refuse the advanced ones (GL_MULTIPLY_KHR, ...), which are never separate. */
+    /* An advanced equation (GL_MULTIPLY_KHR, ...) is the same for RGB and alpha, and the separate functions refuse it. */
     if (rgb == alpha) {
         if (gl->BlendEquationi)
             gl->BlendEquationi(0, rgb);
@@ -179,7 +179,7 @@ static void set_color_mask(const ew_gl *gl, const GLboolean mask[4])
         gl->ColorMask(mask[0], mask[1], mask[2], mask[3]);
 }
 
-/* The effect's shader has one output; what it would write to further draw buffers is undefined, so they are taken out. */
+/* The effect's shader has one output. It would write undefined values to further draw buffers, so they are removed. */
 static void keep_first_draw_buffer(const ew_gl *gl, ew_gl_state *state)
 {
     for (int i = 0; i < gl->max_draw_buffers && i < EW_GL_MAX_DRAW_BUFFERS; i++) {
@@ -188,7 +188,7 @@ static void keep_first_draw_buffer(const ew_gl *gl, ew_gl_state *state)
     }
     if (state->draw_buffer_count == 0) return;
     gl->DrawBuffers(1, state->draw_buffers);
-    /* Mesa (22.3) checks the draw buffers against the blend factors when the program changes, not when they do. */
+    /* Mesa 22.3 checks the draw buffers against the blend factors only when the program changes. */
     gl->UseProgram(0);
 }
 
@@ -200,7 +200,7 @@ void ew_gl_set_draw_state(const ew_gl *gl, ew_gl_state *state, const ew_gl_draw_
                                         (GLfloat)draw->viewport[3]});
 
     set_blend(gl, draw->blend);
-    /* Without blending, too: an advanced equation or a second source's factor may be an error wherever it stands. */
+    /* Set even without blending: an advanced equation, or a factor of a second colour, may be an error all the same. */
     set_blend_factors(gl, draw->source_rgb, draw->destination_rgb, draw->source_alpha, draw->destination_alpha);
     set_blend_equation(gl, GL_FUNC_ADD, GL_FUNC_ADD);
     set_color_mask(gl, (const GLboolean[4]){GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE});
@@ -217,9 +217,9 @@ static void restore_uniform_binding(const ew_gl *gl, const ew_gl_state *state)
     if (binding->size > 0)
         gl->BindBufferRange(GL_UNIFORM_BUFFER, EW_GL_UNIFORM_BINDING, binding->buffer, (GLintptr)binding->start,
                             (GLsizeiptr)binding->size);
-    else /* the whole buffer, whatever its size */
+    else /* the whole buffer, even if its size changes */
         gl->BindBufferBase(GL_UNIFORM_BUFFER, EW_GL_UNIFORM_BINDING, binding->buffer);
-    gl->BindBuffer(GL_UNIFORM_BUFFER, state->uniform_buffer); /* last: the others set it too */
+    gl->BindBuffer(GL_UNIFORM_BUFFER, state->uniform_buffer); /* last: the calls above change this binding, too */
 }
 
 void ew_gl_restore_objects(const ew_gl *gl, const ew_gl_state *state)

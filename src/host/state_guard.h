@@ -1,22 +1,22 @@
-/* The guard of the host's GL state: everything that the effect's drawing touches, or that could spoil it. */
+/* Saves and restores the host's GL state: all that the effect's draw changes, and all that could spoil the draw. */
 #ifndef EW_STATE_GUARD_H
 #define EW_STATE_GUARD_H
 
 #include "host/binding_points.h"
 #include "host/gl.h"
 
-/* As many as GL has enumerators for. */
+/* GL has enumerators for this many. */
 enum { EW_GL_MAX_DRAW_BUFFERS = 16 };
 
 typedef struct ew_gl_buffer_binding {
     GLuint buffer;
     GLint64 start;
-    GLint64 size; /* 0: all of it */
+    GLint64 size; /* 0: the whole buffer */
 } ew_gl_buffer_binding;
 
 typedef struct ew_gl_state {
     GLuint program;
-    GLuint program_keeper; /* a pipeline that keeps alive a program that is flagged for deletion, or 0 */
+    GLuint program_keeper; /* a pipeline that keeps a program alive that is flagged for deletion, or 0 */
     bool transform_feedback_paused;
     GLuint vertex_array;
     GLuint uniform_buffer;
@@ -28,7 +28,7 @@ typedef struct ew_gl_state {
     GLuint draw_framebuffer;
     GLuint read_framebuffer;
     GLenum draw_buffers[EW_GL_MAX_DRAW_BUFFERS]; /* of the framebuffer that the effect draws to */
-    int draw_buffer_count;                       /* 0: not changed */
+    int draw_buffer_count;                       /* 0: unchanged */
     GLfloat viewport[4];
     bool blend;
     GLenum blend_source_rgb, blend_destination_rgb, blend_source_alpha, blend_destination_alpha;
@@ -42,42 +42,42 @@ typedef struct ew_gl_state {
     bool capabilities[EW_GL_MAX_CAPABILITIES];
 } ew_gl_state;
 
-/* The buffer that GL_UNIFORM_BUFFER must be returned to. */
+/* Returns the buffer to bind to GL_UNIFORM_BUFFER when restoring. */
 GLuint ew_gl_uniform_buffer(const ew_gl *gl);
 
 /* Where and how the effect draws. */
 typedef struct ew_gl_draw_state {
     GLuint framebuffer;
     GLint viewport[4];
-    bool blend; /* with these factors, adding */
+    bool blend; /* with the factors below and GL_FUNC_ADD */
     GLenum source_rgb, destination_rgb, source_alpha, destination_alpha;
     bool framebuffer_srgb;
 } ew_gl_draw_state;
 
-/* What the guard cannot keep: samples that the effect draws count in the host's active queries; an object that another context
- * has deleted while it was bound here cannot be bound again, and leaves 0 in its place; and in contexts that cannot pause
- * transform feedback (OpenGL 3.3 without ARB_transform_feedback2) it must not be active. */
+/* The guard has three limits. Samples that the effect draws count in the host's active queries. An object that was bound, and
+ * that another context has deleted since, cannot be bound again: 0 is bound instead. Where transform feedback cannot be paused
+ * (OpenGL 3.3 without ARB_transform_feedback2), it must be inactive. */
 
-/* Saves the host's state and makes room for the effect's program: pauses transform feedback. After success, all of the state
- * that ew_gl_state names may be changed, and ew_gl_restore_state must follow.
+/* Saves the host's state, and pauses transform feedback so that the program can change. After success, the caller may change
+ * all state that ew_gl_state names, and must call ew_gl_restore_state.
  *
- * Errors: OPENGL, if the state is one that GL cannot return to; then nothing is changed. */
+ * Errors: OPENGL, if GL could not return to the current state; then nothing is changed. */
 ew_result ew_gl_save_state(const ew_gl *gl, ew_gl_state *state, ew_error *error);
 
-/* Instead of saving, for a host that wants no restoration: takes every unwanted capability to be on. ew_gl_restore_objects must
- * follow. */
+/* Replaces ew_gl_save_state for a host that wants no restoration. Assumes that every unwanted capability is on, so that all are
+ * switched off. The caller must call ew_gl_restore_objects. */
 void ew_gl_assume_state(const ew_gl *gl, ew_gl_state *state);
 
-/* Puts everything that could influence a triangle that covers the viewport, drawn with the effect's program and vertex array,
- * into a known state. The host's scissor stays in force; so do GL_DITHER and conditional rendering. Multisampling is the
- * host's, without a sample mask; but that, its word 0 and GL_MULTISAMPLE may be changed until the state is restored, when the
- * mask must be off again. */
+/* Sets all state that could influence triangles over the viewport, drawn with the effect's program and vertex array. The host's
+ * scissor, GL_DITHER and conditional rendering stay in force. Multisampling stays the host's, with the sample mask off. Until
+ * the restore, the caller may change GL_MULTISAMPLE, GL_SAMPLE_MASK and word 0 of the mask; it must switch GL_SAMPLE_MASK
+ * off again. */
 void ew_gl_set_draw_state(const ew_gl *gl, ew_gl_state *state, const ew_gl_draw_state *draw);
 
-/* Returns the host's objects to what they were, while the effect's framebuffer is still bound for drawing. */
+/* Restores the host's objects. The effect's framebuffer must still be bound for drawing. */
 void ew_gl_restore_objects(const ew_gl *gl, const ew_gl_state *state);
 
-/* Returns to the saved state, objects included. */
+/* Restores the saved state, objects included. */
 void ew_gl_restore_state(const ew_gl *gl, const ew_gl_state *state);
 
 #endif

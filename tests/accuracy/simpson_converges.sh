@@ -1,7 +1,7 @@
 #!/bin/sh
 # Simpson's rule converges to the reference: simpson_converges.sh EW_ACCURACY SCENE.json
-# Every fourfold number of divisions must bring the largest error down to a third at most (across kinks, the rule is of second
-# order at worst), and the last one to 1e-4.
+# Each fourfold increase of the divisions must reduce the largest error to a third or less: across kinks, the rule is of second
+# order at worst. The last one must reduce it to 1e-4.
 set -eu
 csv=simpson_converges.csv
 rm -f "$csv"

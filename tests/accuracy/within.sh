@@ -1,8 +1,8 @@
 #!/bin/sh
-# The luminance of a scene is within a bound of the reference, and nowhere negative, infinite or no number:
+# The luminance of a scene is within a bound of the reference, and never negative, infinite or NaN:
 # within.sh EW_ACCURACY SCENE.json BOUND [OPTION...]
-# BOUND is relative to max(truth, 1e-3 of the image's largest luminance), and holds for every pixel that is compared; of those the
-# reference vouches for 99 %.
+# BOUND is relative to max(truth, 1e-3 of the image's largest luminance), and holds for every pixel that is compared. The
+# reference must be sure of 99 % of these.
 set -eu
 program=$1 scene=$2 bound=$3
 shift 3

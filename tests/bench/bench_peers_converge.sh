@@ -1,6 +1,6 @@
 #!/bin/sh
-# The benchmark's peers are what they are said to be: the more samples, the nearer each of them is to the truth, on every kind of
-# source, with weights and behind opaque shapes. (How many samples are enough is what the benchmark is about.)
+# The benchmark's peers integrate correctly: with more samples, each comes nearer to the truth, on every kind of source, with
+# weights and behind opaque shapes. (How many samples are enough is what the benchmark measures.)
 # Usage: bench_peers_converge.sh EW_BENCH SCENE...
 bench=$1
 shift

@@ -1,5 +1,5 @@
 #!/bin/sh
-# ew-bench says on one line what to mend, with an exit status of 2, and measures nothing.
+# On bad input, ew-bench says on one line what to correct, exits with status 2, and measures nothing.
 # Usage: bench_refuses_bad_input.sh EW_BENCH SCENE
 bench=$1
 scene=$2

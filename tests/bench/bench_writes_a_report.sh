@@ -1,6 +1,5 @@
 #!/bin/sh
-# ew-bench writes a report: the page and, if there is gnuplot, a plot for each scene; what stands in it stands in no relation to
-# when it was written.
+# ew-bench writes a report: the page, and a plot for each scene. The report does not depend on when it was written.
 # Usage: bench_writes_a_report.sh EW_BENCH SCENE
 command -v gnuplot > gnuplot_path || exit 77
 set -e

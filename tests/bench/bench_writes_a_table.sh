@@ -1,6 +1,6 @@
 #!/bin/sh
-# ew-bench prints a table and writes the CSV that it was asked for: the header and a row for each scene and integrator, numbers
-# where numbers belong. Timings are not judged, nor is any error but that none is negative.
+# ew-bench prints a table and writes the CSV that it was asked for: a header, and a row for each scene and integrator, with
+# numbers where numbers belong. The test judges neither times nor errors, except that no error may be negative.
 # Usage: bench_writes_a_table.sh EW_BENCH SCENE
 set -e
 rm -rf bench_table && mkdir bench_table && cd bench_table

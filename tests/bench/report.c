@@ -1,4 +1,4 @@
-/* The measurements as a page to read: see report.h. */
+/* Writes the measurements as a page. */
 #include "report.h"
 #include "comparison.h"
 #include "message.h"
@@ -10,10 +10,10 @@
 #include <string.h>
 #include <sys/stat.h>
 
-/* What the sentences and the summary compare. */
+/* The two integrators that the sentences and the summary compare. */
 static const char ours[] = "adaptive:1e-3", published[] = "simpson:200";
 
-/* A number for people, to two or three digits. Valid until the eighth call from this one. */
+/* Formats a number to two or three digits. The text is valid until the eighth call after this one. */
 static const char *number(double value)
 {
     static char texts[8][32];
@@ -34,32 +34,36 @@ static void write_introduction(FILE *file, const bench_results *results)
     const measure_settings *settings = &results->settings;
     const bench_machine *machine = &results->machine;
     fputs("# Speed against error\n\n"
-          "Written by `ew-bench`, every number and every sentence. Left is faster, below is more accurate.\n\n",
+          "`ew-bench` wrote this page, every number and every sentence. In the plots, left is faster and down is more "
+          "accurate.\n\n",
           file);
     fprintf(file, "- Machine: %s, %ld core%s; %s, OpenGL %s.\n", machine->processor, machine->cores,
             machine->cores == 1 ? "" : "s", machine->renderer, machine->version);
-    fprintf(file, "- Time: of one frame of %d x %d, luminance only, %s; the median of %d", settings->width, settings->height,
-            machine->has_gl_timer ? "by GL's own timer" : "on the wall clock, from `glFinish` to `glFinish`",
-            settings->repetitions);
-    fprintf(file, " (fewer, but no less than %d, of what takes more than %g s for that), all integrators taking turns.\n",
-            MEASURE_MIN_REPETITIONS, MEASURE_BUDGET / 1000);
+    fprintf(file, "- Time: one frame of %d x %d pixels, luminance only, measured %s.", settings->width, settings->height,
+            machine->has_gl_timer ? "by GL's own timer" : "by the wall clock from `glFinish` to `glFinish`");
     fprintf(
         file,
-        "- Error: against a double-precision reference, relative to the truth or to %g of the picture's largest luminance, "
-        "whichever is greater. The largest error is that of about %zu pixels: some spread evenly over the picture, the others "
-        "where it is brightest, where it is darkest, at silhouettes of opaque shapes, and where two settings of this library "
-        "differ most and around there. The error of 99 %% is that of the evenly spread ones.\n\n",
+        " The integrators take turns. The median is over %d frames, or over fewer (at least %d) if these would take more than "
+        "%g s.\n",
+        settings->repetitions, MEASURE_MIN_REPETITIONS, MEASURE_BUDGET / 1000);
+    fprintf(
+        file,
+        "- Error: relative to the luminance of a double-precision reference, or to %g of the picture's largest luminance, "
+        "whichever is greater. The largest error is over about %zu pixels: some spread evenly over the picture, the others "
+        "where it is brightest, where it is darkest, at silhouettes of opaque shapes, and at and around the places where two "
+        "settings of this library differ most. The 99th percentile is over the evenly spread pixels.\n\n",
         COMPARISON_DARK, settings->error_samples);
     fputs(
         "What is compared:\n\n"
         "- `adaptive:E`: this library, with the quality E.\n"
-        "- `simpson:N`: the published method, Simpson's rule with N divisions and a closed-form nearest point a sample.\n"
-        "- `marching:N`: N equal steps, jittered by interleaved gradient noise, which is what game engines do.\n"
-        "- `equiangular:N`: N samples at equal angles about each source's point nearest to the ray, which is what path tracers "
-        "do. It is made for light that falls off with the square of the distance.\n"
+        "- `simpson:N`: the published method, Simpson's rule with N divisions, with the nearest point of each sample in closed "
+        "form.\n"
+        "- `marching:N`: N equal steps, jittered by interleaved gradient noise, as in game engines.\n"
+        "- `equiangular:N`: N samples at equal angles about the point of each source that is nearest to the ray, as in path "
+        "tracers. This is made for light that falls off with the square of the distance.\n"
         "- `bare`: a pass over the same target that only writes a constant.\n\n"
-        "Marching and equiangular sampling find a curve's nearest point as the published method does. No samples are averaged "
-        "over frames or filtered.\n\n",
+        "Marching and equiangular sampling find the nearest point of a curve as the published method does. Samples are neither "
+        "averaged over frames nor filtered.\n\n",
         file);
 }
 
@@ -80,7 +84,7 @@ static void write_summary(FILE *file, const bench_results *results)
     fputs("\n", file);
 }
 
-/* What the table comes to. */
+/* Sums up the table. */
 static void write_conclusion(FILE *file, const bench_results *results)
 {
     double slowest = HUGE_VAL, fastest = 0, worst = 0, peer_best = HUGE_VAL, peer_worst = 0;
@@ -95,7 +99,7 @@ static void write_conclusion(FILE *file, const bench_results *results)
     }
     fprintf(file, "On these scenes `%s` is %s to %s times as fast as `%s`. ", ours, number(slowest), number(fastest),
             published);
-    fprintf(file, "Its largest error is %s, that of `%s` from %s to %s.\n\n", number(worst), published, number(peer_best),
+    fprintf(file, "Its largest error is %s; that of `%s` is from %s to %s.\n\n", number(worst), published, number(peer_best),
             number(peer_worst));
 }
 
@@ -121,11 +125,11 @@ static void write_sentences(FILE *file, const bench_results *results, const benc
     const measure_settings *settings = &results->settings;
     const measurement *a = results_find(results, scene, ours), *b = results_find(results, scene, published);
     if (a && b)
-        fprintf(
-            file,
-            "`%s` takes %s ms and is wrong by %s at most, `%s` %s ms and %s: %s times the speed at %s times the accuracy.\n",
-            ours, number(a->ms_median), number(a->max_error), published, number(b->ms_median), number(b->max_error),
-            number(b->ms_median / a->ms_median), number(b->max_error / a->max_error));
+        fprintf(file,
+                "`%s` takes %s ms, with a largest error of %s; `%s` takes %s ms, with %s: %s times the speed at %s times the "
+                "accuracy.\n",
+                ours, number(a->ms_median), number(a->max_error), published, number(b->ms_median), number(b->max_error),
+                number(b->ms_median / a->ms_median), number(b->max_error / a->max_error));
     size_t peers = 0, unbeaten = 0;
     for (size_t i = 0; i < settings->integrator_count; i++) {
         const measurement *peer = &scene->measurements.integrators[i];
@@ -137,19 +141,20 @@ static void write_sentences(FILE *file, const bench_results *results, const benc
                 settings->integrators[i].name, number(peer->ms_median), number(peer->max_error));
     }
     if (unbeaten > 0 && unbeaten < peers)
-        fprintf(file, "; the other %zu of its %zu peers lie right of and above one.\n\n", peers - unbeaten, peers);
+        fprintf(file, ". Each of the other %zu of its %zu peers is slower and less accurate than some setting.\n\n",
+                peers - unbeaten, peers);
     else if (unbeaten > 0)
-        fprintf(file, ", which are all of its peers.\n\n");
+        fprintf(file, ". These are all of its peers.\n\n");
     else if (peers == 1)
-        fprintf(file, "Its only peer lies right of and above a setting of `adaptive`.\n\n");
+        fprintf(file, "Its only peer is slower and less accurate than some setting of `adaptive`.\n\n");
     else if (peers > 0)
-        fprintf(file, "Each of the %zu peers lies right of and above a setting of `adaptive`.\n\n", peers);
+        fprintf(file, "Each of the %zu peers is slower and less accurate than some setting of `adaptive`.\n\n", peers);
 }
 
 static void write_table(FILE *file, const bench_results *results, const bench_scene *scene)
 {
     const measure_settings *settings = &results->settings;
-    fputs("| integrator | ms, median | ms, least | frames | evaluations a pixel | largest error | error of 99 % |\n"
+    fputs("| integrator | ms, median | ms, minimum | frames | evaluations per pixel | largest error | 99th percentile |\n"
           "|---|--:|--:|--:|--:|--:|--:|\n",
           file);
     for (size_t i = 0; i < settings->integrator_count; i++) {
@@ -163,7 +168,7 @@ static void write_table(FILE *file, const bench_results *results, const bench_sc
                     number(row->p99_error));
     }
     if (scene->measurements.unreliable_pixels > 0)
-        fprintf(file, "\nThe reference did not vouch for %zu of %zu pixels; they were left out.\n",
+        fprintf(file, "\nThe reference was not sure of %zu of %zu pixels, which were left out.\n",
                 scene->measurements.unreliable_pixels, scene->measurements.unreliable_pixels + scene->measurements.pixels);
     fputs("\n", file);
 }
@@ -179,7 +184,7 @@ static void write_page(FILE *file, const bench_results *results, const char *bas
         const bench_scene *scene = &results->scenes[i];
         fprintf(file, "## %s\n\n", scene->name);
         write_sentences(file, results, scene);
-        fprintf(file, "![Time against largest error, both logarithmic](%s/%s.svg)\n\n", base, scene->name);
+        fprintf(file, "![Largest error against time, on logarithmic axes](%s/%s.svg)\n\n", base, scene->name);
         write_table(file, results, scene);
     }
 }

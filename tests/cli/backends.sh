@@ -1,5 +1,5 @@
 #!/bin/sh
-# EGL and OSMesa make the same picture, and `auto` is one of them. Skipped, with the reason, where one of the two does not work.
+# EGL and OSMesa draw the same picture, and `auto` is one of them. Skipped, with the reason, if one of the two does not work.
 # Usage: backends.sh EW_RENDER EW_PROBE_IMAGE SCENES
 ew_render=$1
 probe=$2

@@ -1,6 +1,6 @@
 #!/bin/sh
-# Bad input ends with exit status 2, one line on standard error that names the file (or option), the place and a remedy, and
-# no output, half-written or whole.
+# On bad input, ew-render exits with status 2 and prints one line to standard error, which names the file (or option), the place
+# and a remedy. It leaves no output, neither whole nor in part.
 # Usage: bad_input.sh EW_RENDER EW_PROBE_IMAGE SCENES
 ew_render=$1
 . "$(dirname "$0")/../checks.sh"
@@ -8,12 +8,12 @@ cases=0
 enters bad_input
 mkdir out
 
-# scene MEMBERS: writes scene.json, a good scene but for its further members.
+# scene MEMBERS: writes scene.json, a valid scene to which MEMBERS are added.
 scene() {
     printf '{ "camera": { "eye": [0, 0, 8], "target": [0, 0, 0] }, %s }\n' "$1" > scene.json
 }
 
-# refuses PLACE ARGUMENT...: expects ew-render with these arguments to refuse, naming PLACE (a basic regular expression).
+# refuses PLACE ARGUMENT...: expects ew-render to refuse these arguments and to name PLACE, a basic regular expression.
 refuses() {
     place=$1
     shift
@@ -38,7 +38,7 @@ refuses_text() {
     refuses "scene.json: $1" scene.json -o out/picture.png
 }
 
-# ---- Files that are no scene
+# ---- Files that are not scenes
 refuses 'missing\.json' missing.json -o out/picture.png
 mkdir folder.json
 refuses 'folder\.json' folder.json -o out/picture.png
@@ -144,7 +144,7 @@ refuses 'nowhere/picture\.png' scene.json -o nowhere/picture.png --size 16x9
 refuses 'nowhere/light\.pfm' scene.json --luminance nowhere/light.pfm --size 16x9
 mkdir folder.png
 refuses 'folder\.png' scene.json -o folder.png --size 16x9
-# A file that grows beyond what is allowed stands for a full disk.
+# A limit on the size of files stands for a full disk.
 # shellcheck disable=SC3045 # dash has it
 limit=$(ulimit -S -f)
 trap '' XFSZ
@@ -157,7 +157,7 @@ done
 ulimit -S -f "$limit"
 trap - XFSZ
 
-# ---- No GL: an EGL implementation that finds no driver, which Mesa's alone can be made to be, or none for the loader to find
+# ---- No GL: an EGL implementation that finds no driver (only Mesa's can be told to), and a loader that finds no implementation
 if "$ew_render" scene.json -o picture.png --backend egl --size 16x9 2> stderr | grep -q Mesa; then
     export LIBGL_DRIVERS_PATH=/nonexistent
     refuses '--backend egl' scene.json -o out/picture.png --backend egl --size 16x9

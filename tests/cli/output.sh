@@ -1,6 +1,6 @@
 #!/bin/sh
-# ew-render writes what it was asked for: each format holds the same picture the right way up, the luminance is B, every scene
-# file that comes with it renders, and a run leaves nothing else behind.
+# ew-render writes what it was asked for, and nothing else. Each format holds the same picture the right way up, the luminance
+# is B, and every scene file that comes with it renders.
 # Usage: output.sh EW_RENDER EW_PROBE_IMAGE SCENES VERSION
 ew_render=$1
 probe=$2
@@ -10,12 +10,12 @@ version=$4
 enters output
 mkdir out
 
-# is WHAT EXPECTED FOUND
+# is WHAT EXPECTED FOUND: expects two texts to be equal.
 is() {
     [ "$2" = "$3" ] || complain "$1 is \"$3\" instead of \"$2\""
 }
 
-# renders ARGUMENT...: expects success without a word on standard error, and one line on standard output.
+# renders ARGUMENT...: expects success, nothing on standard error, and one line on standard output.
 renders() {
     "$ew_render" "$@" > stdout 2> stderr < /dev/null
     is "exit status of ew-render $*" 0 $?
@@ -23,7 +23,7 @@ renders() {
     is "number of lines ew-render $* prints" 1 "$(wc -l < stdout)"
 }
 
-# A box fills the upper left quarter. The numbers of the background have exact RGBE and sRGB values.
+# A box fills the upper left quarter. The background's numbers have exact RGBE and sRGB values.
 cat > box.json << 'JSON'
 { "version": 1, "comment": "a box in the upper left quarter",
   "camera": { "projection": "orthographic", "height": 2, "eye": [0, 0, 8], "target": [0, 0, 0] },
@@ -43,7 +43,7 @@ for format in png hdr pfm; do
         is "$picture at $at" "$background" "$("$probe" pixel $picture $at)"
     done
 done
-# What PNG and RGBE may round, against the floats.
+# PNG and RGBE may differ from the floats only by rounding.
 for at in '10 5' '19 9' '0 0'; do
     # shellcheck disable=SC2086
     { "$probe" pixel out/box.pfm $at && "$probe" pixel out/box.hdr $at && "$probe" pixel out/box.png $at; } | awk '
@@ -60,7 +60,7 @@ for at in '10 5' '19 9' '0 0'; do
 done
 is 'the PFM header' "PF 40 20 -1.0" "$(head -n 3 out/box.pfm | tr '\n' ' ' | sed 's/ $//')"
 
-# The luminance of a point: largest at the point, the same to its left and right, and there whatever else is written.
+# The luminance of a point is largest at the point, the same to its left and right, and independent of other outputs.
 cat > point.json << 'JSON'
 { "camera": { "eye": [0, 0, 8], "target": [0, 0, 0] }, "points": [{ "position": [0, 0, 0] }] }
 JSON
@@ -71,7 +71,7 @@ is 'a luminance beside a point' "$("$probe" pixel out/point.pfm 19 10)" "$("$pro
     complain 'the luminance is not largest at the point'
 renders point.json -o out/point.png --luminance out/again.pfm --size 41x21
 cmp -s out/point.pfm out/again.pfm || complain 'the luminance depends on what else is written'
-# Half of what glows is behind a wall.
+# A wall hides half of the glow.
 sed 's/ }\]/ }], "opaque": [{ "shape": "plane", "point": [0, 0, 0], "normal": [0, 0, 1] }]/' point.json > wall.json
 renders wall.json --luminance out/wall.pfm --size 41x21
 { "$probe" pixel out/point.pfm 25 10 && "$probe" pixel out/wall.pfm 25 10; } |
@@ -79,7 +79,7 @@ renders wall.json --luminance out/wall.pfm --size 41x21
 renders box.json --luminance out/dark.pfm --size 41x21
 is 'the luminance of nothing' 0 "$("$probe" pixel out/dark.pfm 20 10)"
 
-# An output that stood there is replaced, and is as readable as any new file.
+# An existing output is replaced, and gets the permissions of a new file.
 umask 022
 printf 'old' > out/box.png
 renders box.json -o out/box.png --size 40x20

@@ -1,12 +1,12 @@
 #!/bin/sh
-# What ew-demo says to bad input: one line that names the option and what to mend, exit status 2, and nothing written.
+# On bad input, ew-demo prints one line that names the option and what to correct, exits with status 2, and writes nothing.
 # Usage: bad_input.sh EW_DEMO EW_RENDER SCENES VERSION
 ew_demo=$1
 . "$(dirname "$0")/../checks.sh"
 enters bad_input
 unset DISPLAY WAYLAND_DISPLAY
 
-# refuses TEXT ARGUMENT...
+# refuses TEXT ARGUMENT...: expects ew-demo to refuse these arguments with a line that contains TEXT.
 refuses() {
     text=$1
     shift

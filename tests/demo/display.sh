@@ -1,9 +1,9 @@
-# A display for tests, and a program in a window there; sourced after checks.sh, by tests that have entered their folder.
+# Starts a display for a test and opens a program's window on it. A test sources this after checks.sh and `enters`.
 # shellcheck shell=sh
 needs Xvfb xdotool import
 unset WAYLAND_DISPLAY
 
-# starts_display WIDTHxHEIGHT: the X server chooses a number that is free and writes it.
+# starts_display WIDTHxHEIGHT: starts an X server, which chooses a free display number and writes it to the pipe.
 starts_display() {
     mkfifo display
     Xvfb -displayfd 3 -screen 0 "$1"x24 3> display 2> /dev/null &
@@ -14,7 +14,7 @@ starts_display() {
     export DISPLAY=:"$number"
 }
 
-# waits WHAT COMMAND...: until the command succeeds, for 20 seconds at most.
+# waits WHAT COMMAND...: waits until the command succeeds, for at most 20 seconds.
 waits() {
     what=$1
     shift
@@ -30,7 +30,7 @@ focuses() {
     timeout 5 xdotool windowfocus --sync "$id" || complain 'the window takes no focus'
 }
 
-# opens PROGRAM ARGUMENT...: starts it and waits for its window, `id`.
+# opens PROGRAM ARGUMENT...: starts the program and waits for its window, whose number is `id`.
 opens() {
     "$@" > stdout 2> stderr < /dev/null &
     program=$!
@@ -43,7 +43,7 @@ has_ended() {
     ! kill -0 "$program" 2> /dev/null
 }
 
-# closes: by Escape, and expects a clean end.
+# closes: presses Escape, and expects the program to end without an error.
 closes() {
     focuses
     xdotool keydown Escape

@@ -1,5 +1,5 @@
 #!/bin/sh
-# demo/minimal.c in a window under Xvfb: what it shows glows and moves, the window may be resized, and Escape ends it cleanly.
+# demo/minimal.c shows light that moves in a window under Xvfb. The window can be resized, and Escape ends the program cleanly.
 # Usage: minimal.sh MINIMAL
 minimal=$1
 . "$(dirname "$0")/../checks.sh"
@@ -7,7 +7,7 @@ enters minimal
 . "$(dirname "$0")/display.sh"
 needs identify
 
-# glows FILE: whether the window, saved to the file, has the many colours of light; the pillars alone have four.
+# glows FILE: saves the window to the file, and checks for the many colours of light; the pillars alone have four.
 glows() {
     import -window "$id" "$1" && [ "$(identify -format '%k' "$1")" -gt 500 ]
 }

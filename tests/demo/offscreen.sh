@@ -1,6 +1,6 @@
 #!/bin/sh
-# Frames written without a window: any part of a run has the very frames of the whole run, whatever came before; the animation
-# moves, and closes its circle; a scene file looks as ew-render draws it.
+# ew-demo writes frames without a window. A part of a run has the same frames as the whole run, in any order. The animation
+# moves and loops without a jump. A scene file looks as ew-render draws it.
 # Usage: offscreen.sh EW_DEMO EW_RENDER SCENES VERSION
 ew_demo=$1
 ew_render=$2
@@ -10,7 +10,7 @@ version=$4
 enters offscreen
 unset DISPLAY WAYLAND_DISPLAY
 
-# draws ARGUMENT...: frames of 96x54, without a word.
+# draws ARGUMENT...: expects ew-demo to write frames of 96x54 and to print nothing.
 draws() {
     "$ew_demo" --offscreen --size 96x54 "$@" > output 2>&1 < /dev/null || complain "ew-demo --offscreen $* exits with $?"
     [ ! -s output ] || complain "ew-demo --offscreen $* says: $(cat output)"
@@ -38,7 +38,7 @@ draws --fps 4 --frames 0 -o start.png
 draws --fps 4 --frames 40 -o end.png
 cmp -s start.png end.png || complain 'the animation jumps where it starts again'
 
-# The pictures of a scene file are ew-render's, but for what 16-bit floats and the display's encoding round.
+# The picture of a scene file is ew-render's, except for rounding to 16-bit floats and to the display's encoding.
 draws "$scenes/showpiece.json" --frames 0 -o scene.png
 "$ew_render" "$scenes/showpiece.json" --size 96x54 -o expected.png > /dev/null || complain 'ew-render fails'
 if command -v compare > /dev/null; then
@@ -46,7 +46,7 @@ if command -v compare > /dev/null; then
     [ "$differing" = 0 ] || complain "$differing pixels of a scene file's picture differ from ew-render's"
 fi
 
-# A video has the frames that were asked for; without ffmpeg, or where it fails, that is said.
+# A video has the frames that were asked for. If ffmpeg is missing or fails, ew-demo says so.
 if command -v ffprobe > /dev/null; then
     draws --fps 4 --frames 3-7 --video video.mp4
     found=$(ffprobe -v error -count_frames -select_streams v -show_entries stream=width,height,nb_read_frames -of csv=p=0 video.mp4)

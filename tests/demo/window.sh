@@ -1,6 +1,7 @@
 #!/bin/sh
-# ew-demo in a real window, under Xvfb: keys are sent, and what the window shows is the offscreen frame of the same time; a scene
-# file is read again when it is saved, and a bad one leaves the last good picture; resizing, minimising and closing work.
+# ew-demo works in a real window, under Xvfb. After each key, the window shows the offscreen frame of the same time. A scene
+# file is reloaded when it is saved, and a bad one leaves the last good picture. The window can be resized, minimised and
+# closed.
 # Usage: window.sh EW_DEMO EW_RENDER SCENES VERSION
 ew_demo=$1
 . "$(dirname "$0")/../checks.sh"
@@ -14,7 +15,7 @@ press() {
     done
 }
 
-# count_differing FILE: of the window's pixels and this picture's.
+# count_differing FILE: counts the pixels in which the window and this picture differ.
 count_differing() {
     import -window "$id" shown.png 2> /dev/null && compare -metric AE shown.png "$1" null: 2>&1
 }
@@ -33,7 +34,7 @@ offscreen() {
 
 starts_display 400x300
 
-# Paused, from the beginning, three frames on, without the display of text.
+# Paused, restarted, stepped by three frames, with the text hidden.
 offscreen --frames 3 -o 3.png
 offscreen --frames 3 --integrator simpson:64 --split adaptive:1e-4 -o split.png
 offscreen --frames 2 --show evaluations -o evaluations.png
@@ -44,7 +45,7 @@ press F12
 waits 'a screenshot is written' test -s ew-demo-001.png
 cmp -s ew-demo-001.png 3.png || complain 'the screenshot is not the offscreen frame'
 press 4 shift+3
-# The line between the halves is the window's own, and not in the screenshot.
+# The window draws a line between the halves, but the screenshot does not have it.
 press F12
 waits 'a second screenshot is written' test -s ew-demo-002.png
 cmp -s ew-demo-002.png split.png || complain 'the split picture is not the offscreen one'
@@ -52,13 +53,13 @@ press Tab 2 comma m
 waits 'the window shows the evaluations a step back' shows evaluations.png
 press m m c
 
-# Another size; minimised and back.
+# Resized, minimised and restored.
 xdotool windowsize "$id" 96 60
 waits 'the window has the new size' sh -c "xdotool getwindowgeometry $id | grep -q 96x60"
 "$ew_demo" --offscreen --size 96x60 --frames 2 -o small.png
 waits 'the picture has the new size' shows small.png
 xdotool windowunmap --sync "$id"
-sleep 0.5 # some frames that nobody sees
+sleep 0.5 # time for some frames that are not shown
 xdotool windowmap "$id"
 waits 'the picture is back' shows small.png
 focuses
@@ -68,7 +69,7 @@ press F11
 waits 'it goes back' sh -c "xdotool getwindowgeometry $id | grep -q 96x60"
 closes
 
-# A scene file: shown, changed for a bad one, changed for another one.
+# A scene file is shown, then replaced by a bad one, then by another good one.
 scene() {
     printf '{ "camera": { "eye": [0,0,8], "target": [0,0,0] }, "points": [{ "position": [%s,0,0] }] }' "$1" > next.json
     mv next.json scene.json
@@ -87,11 +88,11 @@ import -window "$id" error.png
 convert error.png -crop 192x60+0+0 +repage error-top.png && convert left.png -crop 192x60+0+0 +repage left-top.png
 [ "$(compare -metric AE error-top.png left-top.png null: 2>&1)" = 0 ] || complain 'a bad file spoils the last good picture'
 scene 1
-# Once the notice that it is read again is gone, which takes 4 seconds.
+# The notice of the reload lies over the picture for 4 seconds.
 waits 'the window shows the new scene' shows right.png
 closes
 
-# No display, and a display whose OpenGL is too old.
+# There is no display, or its OpenGL is too old.
 DISPLAY='' "$ew_demo" > stdout 2> stderr && complain 'no display is no error'
 grep -q '^ew-demo: no display (.*--offscreen' stderr || complain "without a display it says: $(cat stderr)"
 [ "$(wc -l < stderr)" -eq 1 ] || complain 'without a display it says more than a line'

@@ -1,6 +1,6 @@
 #!/bin/sh
-# Runs a libFuzzer program for so many seconds, from the inputs of the folders; leaves what it finds in the current folder:
-# new inputs in found/, where the next run starts from them too, and in crashes/ the one that breaks it, if any.
+# Runs a libFuzzer program for this many seconds, starting from the inputs in the folders. In the current folder it leaves new
+# inputs in found/, from which the next run starts too, and an input that crashes the program, if any, in crashes/.
 # Usage: fuzz.sh FUZZER SECONDS DICTIONARY FOLDER...
 fuzzer=$1
 seconds=$2

@@ -1,5 +1,5 @@
 #!/bin/sh
-# The showpiece is one picture in contexts of all kinds, and in ew-render.
+# The showpiece looks the same in contexts of all kinds and in ew-render.
 # Usage: showpiece.sh DRAW_IN_CONTEXTS EW_RENDER EW_PROBE_IMAGE SHOWPIECE CONTEXT...
 draw_in_contexts=$1 ew_render=$2 probe=$3 scene=$4
 shift 4
@@ -12,7 +12,7 @@ for context; do
     alike "$probe" ew-render.png "$context.png"
 done
 
-# Dark pictures would be alike, too.
+# Dark pictures would look the same, too, so check that there is light.
 sed 's/"coefficient": [0-9.]*/"coefficient": 0/' "$scene" > dark.json
 "$ew_render" dark.json -o dark.png --size 192x108 > stdout
 "$probe" difference ew-render.png dark.png > difference && read -r largest _ < difference

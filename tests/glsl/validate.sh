@@ -1,5 +1,5 @@
 #!/bin/sh
-# Every class of shader permutation is valid GLSL by the reference compiler, for desktop GL and for GLES.
+# The reference compiler accepts every class of shader permutation, as desktop GLSL and as GLSL ES.
 # Usage: validate.sh SHADER_TEXT
 if ! command -v glslangValidator > /dev/null; then
     echo 'SKIPPED: glslangValidator is not installed'
@@ -9,7 +9,7 @@ rm -rf shaders && mkdir shaders || exit 1
 "$1" shaders || exit 1
 grep -q '#define EW_SOURCE_VARYINGS' shaders/330-software-*.vert || exit 1
 grep -q '#define EW_SOURCE_VARYINGS' shaders/300es-software-*.frag || exit 1
-# The compiler names each file that it takes; whatever else it says is a fault.
+# The compiler prints the name of each file that it compiles. Anything else that it prints is a fault.
 find shaders -type f | sort > files
 echo "$(wc -l < files) shaders"
 xargs glslangValidator < files > log

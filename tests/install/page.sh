@@ -1,6 +1,6 @@
 #!/bin/sh
-# Each block of C on a page compiles on its own, without a warning. Blocks for libraries that are not installed are left out,
-# but for SDL, of which one declaration is enough.
+# Each block of C on a page compiles on its own, without a warning. Blocks for libraries that are not installed are skipped,
+# except for SDL, of which one declaration is enough.
 # Usage: page.sh PAGE CC INCLUDE_FOLDER...
 page=$1
 compiler=$2

@@ -1,5 +1,5 @@
 #!/bin/sh
-# The consumer, built by nothing but pkg-config's word, draws its frame.
+# The consumer, built with no flags but pkg-config's, draws its frame.
 # Usage: pkg_config.sh shared|static PREFIX SOURCES C_COMPILER
 kind=$1 prefix=$2 sources=$3 compiler=$4
 set -e
@@ -8,7 +8,7 @@ export PKG_CONFIG_PATH
 library_path=$(pkg-config --variable=libdir energywave)
 case $kind in
 shared) flags=$(pkg-config --cflags --libs energywave) ;;
-# Beside the shared library, -lenergywave alone would not mean the static one.
+# With both libraries in one folder, -lenergywave would choose the shared one.
 static) flags=$(pkg-config --static --cflags --libs energywave | sed 's/-lenergywave/-l:libenergywave.a/') ;;
 esac
 # shellcheck disable=SC2046,SC2086 # flags are words

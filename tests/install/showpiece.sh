@@ -1,6 +1,5 @@
 #!/bin/sh
-# The sources of ew-render, built as a project of their own with the installed library, draw the showpiece as the contexts of all
-# kinds here have drawn it.
+# ew-render, built as a project of its own with the installed library, draws the same showpiece as the contexts of the gl tests.
 # Usage: showpiece.sh PREFIX CONSUMER_SOURCES DEMO_SOURCES C_COMPILER EW_PROBE_IMAGE PICTURES
 prefix=$1 consumer=$2 demo=$3 compiler=$4 probe=$5 pictures=$6
 . "$(dirname "$0")/../checks.sh"
