@@ -113,7 +113,7 @@ static void set_blade(demo_animation *a, double seconds)
     set_bezier(&a->curves[ANIMATION_BLADE], hilt, middle, tip);
 }
 
-static void set_camera(ew_scene_camera *camera, double seconds)
+static void set_camera(scene_camera *camera, double seconds)
 {
     double angle = 0.24 + 0.17 * wave(seconds, 1, 0), distance = 16.4 + 0.8 * wave(seconds, 1, 0.2);
     vector_copy((double[3]){distance * sin(angle), 3.4 + 0.7 * wave(seconds, 1, 0.35), distance * cos(angle)}, camera->eye);

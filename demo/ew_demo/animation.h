@@ -6,7 +6,7 @@
 #define ANIMATION_H
 
 #include "court.h"
-#include "scene_file.h"
+#include "scene.h"
 
 #define ANIMATION_SECONDS 10.0
 
@@ -15,12 +15,12 @@ enum { ANIMATION_WEIGHTS = 12 };
 
 /* The scene of one moment, with all that it points to; so it must not be copied, nor given to scene_free. */
 typedef struct demo_animation {
-    ew_scene scene;
+    demo_scene scene;
     ew_point orb;
     ew_torus ring;
     ew_curve curves[ANIMATION_CURVES];
     double weights[ANIMATION_CURVES][ANIMATION_WEIGHTS];
-    ew_opaque shapes[COURT_MAX_SHAPES];
+    opaque_shape shapes[COURT_MAX_SHAPES];
 } demo_animation;
 
 /* Fills in the court and what never changes of the energy. */

@@ -4,7 +4,7 @@
 #ifndef COURT_H
 #define COURT_H
 
-#include "scene_file.h"
+#include "scene.h"
 
 #include <stddef.h>
 
@@ -16,6 +16,6 @@ extern const double court_emitters[2][3];
 enum { COURT_MAX_SHAPES = 64 };
 
 /* Fills `shapes` with boxes and spheres; returns how many there are. */
-size_t court_make_shapes(ew_opaque shapes[COURT_MAX_SHAPES]);
+size_t court_make_shapes(opaque_shape shapes[COURT_MAX_SHAPES]);
 
 #endif

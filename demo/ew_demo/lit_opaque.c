@@ -26,9 +26,9 @@ struct lit_opaque {
     float extents[COURT_MAX_SHAPES][4];
 };
 
-static void describe_shape(const ew_opaque *shape, float center[4], float extent[4])
+static void describe_shape(const opaque_shape *shape, float center[4], float extent[4])
 {
-    bool is_box = shape->kind == EW_OPAQUE_BOX;
+    bool is_box = shape->kind == OPAQUE_BOX;
     for (int i = 0; i < 3; i++) {
         double min = shape->shape.box.min[i], max = shape->shape.box.max[i];
         center[i] = (float)(is_box ? (min + max) / 2 : shape->shape.sphere.center[i]);
@@ -59,7 +59,7 @@ static void upload_mesh(lit_opaque *lit, const opaque_mesh *mesh, const float *v
     gl->BindBuffer(GL_ARRAY_BUFFER, 0);
 }
 
-static bool make_mesh(lit_opaque *lit, const ew_scene *scene)
+static bool make_mesh(lit_opaque *lit, const demo_scene *scene)
 {
     opaque_mesh mesh;
     if (!opaque_make_mesh(scene, &mesh)) return false;
@@ -78,7 +78,7 @@ static bool make_mesh(lit_opaque *lit, const ew_scene *scene)
     return ok;
 }
 
-lit_opaque *lit_opaque_create(const gl_functions *gl, const ew_scene *scene, char *message, size_t size)
+lit_opaque *lit_opaque_create(const gl_functions *gl, const demo_scene *scene, char *message, size_t size)
 {
     lit_opaque *lit = calloc(1, sizeof *lit);
     if (lit) {
@@ -118,7 +118,7 @@ static void set_vector(const lit_opaque *lit, const char *name, const double vec
 
 static void set_uniforms(const lit_opaque *lit, const lit_opaque_view *how)
 {
-    const ew_scene *scene = how->scene;
+    const demo_scene *scene = how->scene;
     const gl_functions *gl = lit->gl;
     double view[16], projection[16], moon[3], eye[3];
     float view_projection[16];

@@ -5,7 +5,7 @@
 #define LIT_OPAQUE_H
 
 #include "gl_functions.h"
-#include "scene_file.h"
+#include "scene.h"
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -14,10 +14,10 @@ typedef struct lit_opaque lit_opaque;
 
 /* Makes the triangles of the scene's opaque shapes, at most COURT_MAX_SHAPES, which are to stay as they are. NULL, with a
  * message, on failure. */
-lit_opaque *lit_opaque_create(const gl_functions *gl, const ew_scene *scene, char *message, size_t size);
+lit_opaque *lit_opaque_create(const gl_functions *gl, const demo_scene *scene, char *message, size_t size);
 
 typedef struct lit_opaque_view {
-    const ew_scene *scene;
+    const demo_scene *scene;
     int width;
     int height;
     bool is_mirrored;  /* at the floor, y = 0, of which nothing is drawn then */

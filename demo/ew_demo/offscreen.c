@@ -3,6 +3,7 @@
 #include "animation.h"
 #include "image.h"
 #include "message.h"
+#include "scene_file.h"
 #include "stage.h"
 #include "video.h"
 
@@ -36,7 +37,7 @@ static bool write_picture(const demo_options *options, int frame, const unsigned
     return image_write(name, &picture, message, size);
 }
 
-static bool draw_frames(const demo_options *options, demo_stage *stage, demo_animation *animation, const ew_scene *scene,
+static bool draw_frames(const demo_options *options, demo_stage *stage, demo_animation *animation, const demo_scene *scene,
                         demo_video *video, unsigned char *srgb, char *message, size_t size)
 {
     stage_view view = {.scene = scene,
@@ -60,7 +61,7 @@ static bool draw_frames(const demo_options *options, demo_stage *stage, demo_ani
     return true;
 }
 
-static bool draw_on_stage(const demo_options *options, demo_stage *stage, const ew_scene *file_scene, char *message,
+static bool draw_on_stage(const demo_options *options, demo_stage *stage, const demo_scene *file_scene, char *message,
                           size_t size)
 {
     demo_animation *animation = malloc(sizeof *animation);
@@ -72,7 +73,7 @@ static bool draw_on_stage(const demo_options *options, demo_stage *stage, const 
     } else if (!options->video || (video = video_open(options->video, options->settings.width, options->settings.height,
                                                       options->frames_per_second, message, size))) {
         animation_init(animation);
-        const ew_scene *scene = file_scene ? file_scene : &animation->scene;
+        const demo_scene *scene = file_scene ? file_scene : &animation->scene;
         ok = draw_frames(options, stage, animation, scene, video, srgb, message, size);
     }
     if (video) ok = video_close(video, message, size) && ok;
@@ -83,7 +84,7 @@ static bool draw_on_stage(const demo_options *options, demo_stage *stage, const 
 
 bool offscreen_run(const demo_options *options, char *message, size_t size)
 {
-    ew_scene scene;
+    demo_scene scene;
     if (options->scene && !scene_load(options->scene, &scene, message, size)) return false;
     gl_context *context = context_create(options->backend, message, size);
     ew_effect_desc desc = {.get_proc_address = context_get_proc_address, .user = context};

@@ -25,7 +25,7 @@ static void make_targets(const gl_functions *gl, floor_reflection *reflection, i
 }
 
 ew_result reflection_draw(const gl_functions *gl, floor_reflection *reflection, ew_effect *effect, const lit_opaque *lit,
-                          const demo_film *film, const ew_scene *scene, const render_settings *settings, double sensitivity,
+                          const demo_film *film, const demo_scene *scene, const render_settings *settings, double sensitivity,
                           ew_error *error)
 {
     render_settings half = *settings;

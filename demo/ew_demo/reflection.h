@@ -21,7 +21,7 @@ typedef struct floor_reflection {
 
 /* Draws the reflection for a picture of the settings' size into `picture`, linear. The effect holds the scene's sources. */
 ew_result reflection_draw(const gl_functions *gl, floor_reflection *reflection, ew_effect *effect, const lit_opaque *lit,
-                          const demo_film *film, const ew_scene *scene, const render_settings *settings, double sensitivity,
+                          const demo_film *film, const demo_scene *scene, const render_settings *settings, double sensitivity,
                           ew_error *error);
 
 void reflection_destroy(const gl_functions *gl, floor_reflection *reflection);

@@ -24,7 +24,7 @@ bool scene_watch_look(scene_watch *watch)
     stat(watch->path, &now);
     if (is_same(&now, &watch->seen)) return false;
     watch->seen = now;
-    ew_scene scene;
+    demo_scene scene;
     if (!scene_load(watch->path, &scene, watch->message, sizeof watch->message)) return true;
     scene_free(&watch->scene);
     watch->scene = scene;

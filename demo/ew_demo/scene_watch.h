@@ -11,7 +11,7 @@
 
 typedef struct scene_watch {
     const char *path;
-    ew_scene scene;    /* the last good one */
+    demo_scene scene;  /* the last good one */
     char message[500]; /* what is wrong with the file now; empty if nothing is */
     struct stat seen;
 } scene_watch;

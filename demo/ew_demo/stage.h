@@ -8,7 +8,7 @@
 #include "gl_functions.h"
 #include "map.h"
 #include "render.h"
-#include "scene_file.h"
+#include "scene.h"
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -22,7 +22,7 @@ typedef enum stage_mode {
 } stage_mode;
 
 typedef struct stage_view {
-    const ew_scene *scene;
+    const demo_scene *scene;
     stage_mode mode;
     /* The court's look: stone lit by the energy, and graded film. The shapes of such a scene are taken from the first one
      * drawn. Without it, the picture is ew-render's. */

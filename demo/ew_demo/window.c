@@ -73,7 +73,7 @@ static void notify(demo_window *window, const char *text)
     window->notice_until = glfwGetTime() + notice_seconds;
 }
 
-static const ew_scene *scene_of(const demo_window *window)
+static const demo_scene *scene_of(const demo_window *window)
 {
     return window->options->scene ? &window->file.scene : &window->animation->scene;
 }
@@ -271,7 +271,7 @@ static void on_scroll(GLFWwindow *handle, double x, double y)
 static void fly(demo_window *window, double seconds)
 {
     static const int keys[3][2] = {{GLFW_KEY_A, GLFW_KEY_D}, {GLFW_KEY_Q, GLFW_KEY_E}, {GLFW_KEY_S, GLFW_KEY_W}};
-    const ew_scene_camera *camera = &scene_of(window)->camera;
+    const scene_camera *camera = &scene_of(window)->camera;
     double sight = 0, way[3];
     for (int i = 0; i < 3; i++)
         sight += (camera->target[i] - camera->eye[i]) * (camera->target[i] - camera->eye[i]);
@@ -332,7 +332,7 @@ static void draw_panel(demo_window *window, int width, int height)
 static bool draw(demo_window *window, int width, int height, char *message, size_t size)
 {
     const gl_functions *gl = &window->gl;
-    ew_scene scene = camera_control_scene(&window->camera, scene_of(window), window->options->scene != NULL);
+    demo_scene scene = camera_control_scene(&window->camera, scene_of(window), window->options->scene != NULL);
     int pixel = window->mode == STAGE_ERROR ? ERROR_MAP_PIXEL : 1;
     stage_view view = {.scene = &scene,
                        .mode = window->mode,

@@ -163,14 +163,14 @@ static bool read_options(int argc, char **argv, command_line *options)
 /* ---- Scenes ---------------------------------------------------------------------------------------------------------------
  */
 
-static size_t source_count(const ew_scene *scene)
+static size_t source_count(const demo_scene *scene)
 {
     const ew_sources_desc *sources = &scene->sources;
     return sources->point_count + sources->line_count + sources->torus_count + sources->curve_count;
 }
 
 /* As many as take the reference about a second. */
-static size_t default_pixels(const ew_scene *scene)
+static size_t default_pixels(const demo_scene *scene)
 {
     size_t sources = source_count(scene), pixels = 40000 / (sources + 1);
     return pixels > 4000 ? 4000 : pixels < 400 ? 400 : pixels;
@@ -236,7 +236,7 @@ static int compare_lines(const void *a, const void *b)
 /* A scene that is being compared, and its picture by each of the integrators; a single one has another one beside it. */
 typedef struct compared_scene {
     const char *path;
-    ew_scene scene;
+    demo_scene scene;
     scene_rays rays;
     drawn_picture pictures[MAX_INTEGRATORS];
     size_t picture_count;

@@ -95,7 +95,7 @@ typedef struct window_stage {
 } window_stage;
 
 typedef struct window_scene {
-    ew_scene scene;
+    demo_scene scene;
     scene_rays rays;
 } window_scene;
 

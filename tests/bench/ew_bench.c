@@ -184,7 +184,7 @@ static bool measure_all_scenes(gl_context *context, bench_results *results, FILE
     for (size_t i = 0; i < results->scene_count; i++) {
         bench_scene *bench = &results->scenes[i];
         char reason[400];
-        ew_scene scene;
+        demo_scene scene;
         if (!scene_load(bench->path, &scene, message, size)) return false;
         bool ok = measure_scene(context, &scene, bench->name, &results->settings, &bench->measurements, reason, sizeof reason);
         scene_free(&scene);

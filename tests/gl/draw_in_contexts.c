@@ -19,7 +19,8 @@ static void APIENTRY shader_source_of_es(GLuint shader, GLsizei count, const GLc
     gl.ShaderSource(shader, 2, es_strings, NULL);
 }
 
-static bool draw(test_context *context, const ew_scene *scene, const render_settings *settings, float *pixels, ew_error *error)
+static bool draw(test_context *context, const demo_scene *scene, const render_settings *settings, float *pixels,
+                 ew_error *error)
 {
     gl_functions functions;
     render_target target;
@@ -42,7 +43,7 @@ static bool draw(test_context *context, const ew_scene *scene, const render_sett
     return drawn && gl.GetError() == GL_NO_ERROR;
 }
 
-static bool draw_in(const char *name, const ew_scene *scene, const render_settings *settings, float *pixels)
+static bool draw_in(const char *name, const demo_scene *scene, const render_settings *settings, float *pixels)
 {
     test_context *context = open_context(name, NULL);
     if (context == NULL) return false;
@@ -61,7 +62,7 @@ static bool draw_in(const char *name, const ew_scene *scene, const render_settin
 
 int main(int argc, char **argv)
 {
-    ew_scene scene;
+    demo_scene scene;
     char message[400];
     if (argc < 5) return 2;
     render_settings settings = {.width = atoi(argv[2]), .height = atoi(argv[3]), .quality = EW_QUALITY_ERROR_1E_3};

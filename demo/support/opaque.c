@@ -21,20 +21,20 @@ typedef struct mesh_size {
     size_t triangles;
 } mesh_size;
 
-static mesh_size shape_size(const ew_opaque *opaque)
+static mesh_size shape_size(const opaque_shape *opaque)
 {
     switch (opaque->kind) {
-    case EW_OPAQUE_BOX:
+    case OPAQUE_BOX:
         return (mesh_size){6 * 4, 6 * 2};
-    case EW_OPAQUE_PLANE:
+    case OPAQUE_PLANE:
         return (mesh_size){PLANE_SQUARES * 4, 2 + (PLANE_SQUARES - 1) * 8};
-    case EW_OPAQUE_SPHERE:
+    case OPAQUE_SPHERE:
         return (mesh_size){2 + (SPHERE_ROWS - 1) * SPHERE_COLUMNS, 2 * (SPHERE_ROWS - 1) * SPHERE_COLUMNS};
     }
     return (mesh_size){0, 0};
 }
 
-static unsigned add_vertex(opaque_mesh *mesh, const ew_opaque *opaque, const double position[3], const double normal[3])
+static unsigned add_vertex(opaque_mesh *mesh, const opaque_shape *opaque, const double position[3], const double normal[3])
 {
     opaque_vertex *vertex = &mesh->vertices[mesh->vertex_count];
     vector_copy(position, vertex->position);
@@ -57,7 +57,7 @@ static void add_quad(opaque_mesh *mesh, unsigned a, unsigned b, unsigned c, unsi
     add_triangle(mesh, a, c, d);
 }
 
-static void add_box(opaque_mesh *mesh, const ew_opaque *box)
+static void add_box(opaque_mesh *mesh, const opaque_shape *box)
 {
     const double *ends[2] = {box->shape.box.min, box->shape.box.max};
     for (int axis = 0; axis < 3; axis++)
@@ -79,7 +79,7 @@ static void add_box(opaque_mesh *mesh, const ew_opaque *box)
         }
 }
 
-static void add_sphere(opaque_mesh *mesh, const ew_opaque *sphere)
+static void add_sphere(opaque_mesh *mesh, const opaque_shape *sphere)
 {
     unsigned first = (unsigned)mesh->vertex_count, bottom = first + (SPHERE_ROWS - 1) * SPHERE_COLUMNS, top = bottom + 1;
     for (int row = 1; row <= SPHERE_ROWS; row++)
@@ -100,7 +100,7 @@ static void add_sphere(opaque_mesh *mesh, const ew_opaque *sphere)
 }
 
 /* How far from the eye anything can be seen. */
-static double sight(const ew_scene_camera *camera)
+static double sight(const scene_camera *camera)
 {
     const double aspect = 4;
     double half_height =
@@ -109,7 +109,7 @@ static double sight(const ew_scene_camera *camera)
     return sqrt(depth * depth + half_height * half_height * (1 + aspect * aspect));
 }
 
-static void add_plane(opaque_mesh *mesh, const ew_opaque *plane, const ew_scene_camera *camera)
+static void add_plane(opaque_mesh *mesh, const opaque_shape *plane, const scene_camera *camera)
 {
     double normal[3], u[3], v[3], from_plane[3], foot[3];
     vector_normalize(plane->shape.plane.normal, normal);
@@ -143,7 +143,7 @@ static void add_plane(opaque_mesh *mesh, const ew_opaque *plane, const ew_scene_
     }
 }
 
-bool opaque_make_mesh(const ew_scene *scene, opaque_mesh *mesh)
+bool opaque_make_mesh(const demo_scene *scene, opaque_mesh *mesh)
 {
     mesh_size total = {0, 0};
     for (size_t i = 0; i < scene->opaque_count; i++) {
@@ -160,15 +160,15 @@ bool opaque_make_mesh(const ew_scene *scene, opaque_mesh *mesh)
         return false;
     }
     for (size_t i = 0; i < scene->opaque_count; i++) {
-        const ew_opaque *opaque = &scene->opaque[i];
+        const opaque_shape *opaque = &scene->opaque[i];
         switch (opaque->kind) {
-        case EW_OPAQUE_BOX:
+        case OPAQUE_BOX:
             add_box(mesh, opaque);
             break;
-        case EW_OPAQUE_PLANE:
+        case OPAQUE_PLANE:
             add_plane(mesh, opaque, &scene->camera);
             break;
-        case EW_OPAQUE_SPHERE:
+        case OPAQUE_SPHERE:
             add_sphere(mesh, opaque);
             break;
         }
@@ -224,7 +224,7 @@ static const char fragment_shader[] = "#version 330 core\n"
 enum { ATTRIBUTE_COUNT = 3, FLOATS_PER_VERTEX = 3 * ATTRIBUTE_COUNT };
 
 /* The mesh's vertices in view space, FLOATS_PER_VERTEX each; NULL where memory is exhausted. */
-static float *view_space_vertices(const opaque_mesh *mesh, const ew_scene_camera *camera)
+static float *view_space_vertices(const opaque_mesh *mesh, const scene_camera *camera)
 {
     float *result = malloc(mesh->vertex_count * FLOATS_PER_VERTEX * sizeof *result);
     for (size_t i = 0; result && i < mesh->vertex_count; i++) {
@@ -241,9 +241,9 @@ static float *view_space_vertices(const opaque_mesh *mesh, const ew_scene_camera
     return result;
 }
 
-static void set_uniforms(const gl_functions *gl, GLuint program, const ew_scene *scene, double aspect)
+static void set_uniforms(const gl_functions *gl, GLuint program, const demo_scene *scene, double aspect)
 {
-    const ew_scene_camera *camera = &scene->camera;
+    const scene_camera *camera = &scene->camera;
     const double *background = scene->background;
     double projection[16], up[3];
     float projection_floats[16];
@@ -285,7 +285,7 @@ static void draw_mesh(const gl_functions *gl, const opaque_mesh *mesh, const flo
     gl->DeleteBuffers(2, buffers);
 }
 
-bool opaque_draw(const gl_functions *gl, const ew_scene *scene, int width, int height, char *message, size_t size)
+bool opaque_draw(const gl_functions *gl, const demo_scene *scene, int width, int height, char *message, size_t size)
 {
     const float background[4] = {(float)scene->background[0], (float)scene->background[1], (float)scene->background[2], 1};
     const float farthest = 1;

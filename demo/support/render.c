@@ -36,7 +36,7 @@ void render_destroy_target(const gl_functions *gl, render_target *target)
     gl->DeleteTextures(3, textures);
 }
 
-ew_frame_desc render_frame(const ew_scene *scene, const render_settings *settings, const render_target *target)
+ew_frame_desc render_frame(const demo_scene *scene, const render_settings *settings, const render_target *target)
 {
     ew_frame_desc frame = EW_FRAME_DEFAULTS;
     camera_view(&scene->camera, frame.view);
@@ -64,7 +64,7 @@ static void read_pixels(const gl_functions *gl, GLuint framebuffer, const render
     gl->BindFramebuffer(GL_FRAMEBUFFER, 0);
 }
 
-static bool draw_effect(const gl_functions *gl, ew_effect *effect, const ew_scene *scene, const render_settings *settings,
+static bool draw_effect(const gl_functions *gl, ew_effect *effect, const demo_scene *scene, const render_settings *settings,
                         const render_target *target, float *color, float *luminance, ew_error *error)
 {
     ew_frame_desc frame = render_frame(scene, settings, target);
@@ -84,8 +84,8 @@ static bool draw_effect(const gl_functions *gl, ew_effect *effect, const ew_scen
     return true;
 }
 
-bool render_opaque(const gl_functions *gl, const ew_scene *scene, const render_settings *settings, const render_target *target,
-                   char *message, size_t size)
+bool render_opaque(const gl_functions *gl, const demo_scene *scene, const render_settings *settings,
+                   const render_target *target, char *message, size_t size)
 {
     gl->BindFramebuffer(GL_FRAMEBUFFER, target->opaque_framebuffer);
     bool ok = opaque_draw(gl, scene, settings->width, settings->height, message, size);
@@ -93,7 +93,7 @@ bool render_opaque(const gl_functions *gl, const ew_scene *scene, const render_s
     return ok;
 }
 
-bool render_scene(gl_context *context, const ew_scene *scene, const render_settings *settings, float *color, float *luminance,
+bool render_scene(gl_context *context, const demo_scene *scene, const render_settings *settings, float *color, float *luminance,
                   char *message, size_t size)
 {
     const gl_functions *gl = context_gl(context);

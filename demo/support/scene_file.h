@@ -24,68 +24,19 @@
 #ifndef SCENE_FILE_H
 #define SCENE_FILE_H
 
-#include "energywave.h"
+#include "scene.h"
 
 #include <stdbool.h>
 #include <stddef.h>
 
-typedef struct ew_scene_camera {
-    double eye[3];
-    double target[3]; /* differs from eye */
-    double up[3];     /* not parallel to target - eye */
-    bool orthographic;
-    double fov_y_degrees; /* of a perspective camera */
-    double height;        /* of an orthographic camera: what it sees of the world, from bottom to top */
-    double near_depth;    /* view depths of the near and far planes */
-    double far_depth;
-} ew_scene_camera;
-
-typedef enum ew_opaque_kind { EW_OPAQUE_BOX, EW_OPAQUE_PLANE, EW_OPAQUE_SPHERE } ew_opaque_kind;
-
-typedef struct ew_opaque {
-    ew_opaque_kind kind;
-    union {
-        struct {
-            double min[3];
-            double max[3];
-        } box;
-        struct {
-            double point[3];
-            double normal[3];
-        } plane;
-        struct {
-            double center[3];
-            double radius;
-        } sphere;
-    } shape;
-    double color[3];
-} ew_opaque;
-
-typedef struct ew_scene {
-    ew_scene_camera camera;
-    double interval_start; /* view depths */
-    double interval_end;
-    double decay_alpha;
-    double decay_beta;
-    double background[3];
-    double color[3];         /* of the sources that name none; already in them */
-    ew_output composite;     /* EW_OUTPUT_LERP or EW_OUTPUT_ADD */
-    ew_sources_desc sources; /* owned by the scene, curves' weights included */
-    ew_opaque *opaque;
-    size_t opaque_count;
-} ew_scene;
-
-/* The most opaque shapes of a scene. */
-#define EW_MAX_OPAQUE 256
-
 /* Reads and checks the file at `path`. On failure returns false, with one line "PATH: place: what to mend" in `message`, and
  * nothing to free. */
-bool scene_load(const char *path, ew_scene *scene, char *message, size_t size);
+bool scene_load(const char *path, demo_scene *scene, char *message, size_t size);
 
 /* The same for `length` bytes of JSON that messages call `name`. */
-bool scene_parse(const char *text, size_t length, const char *name, ew_scene *scene, char *message, size_t size);
+bool scene_parse(const char *text, size_t length, const char *name, demo_scene *scene, char *message, size_t size);
 
 /* Frees what the scene owns and leaves it empty. */
-void scene_free(ew_scene *scene);
+void scene_free(demo_scene *scene);
 
 #endif

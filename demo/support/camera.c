@@ -3,7 +3,7 @@
 #include "vector.h"
 
 /* Unit vectors of the camera in the world: right, up and backward, the rows of the view matrix's rotation. */
-static void axes(const ew_scene_camera *camera, double result[3][3])
+static void axes(const scene_camera *camera, double result[3][3])
 {
     double backward[3], up[3], right[3];
     vector_subtract(camera->eye, camera->target, backward);
@@ -14,7 +14,7 @@ static void axes(const ew_scene_camera *camera, double result[3][3])
     vector_cross(result[2], result[0], result[1]);
 }
 
-void camera_turn_to_view(const ew_scene_camera *camera, const double direction[3], double result[3])
+void camera_turn_to_view(const scene_camera *camera, const double direction[3], double result[3])
 {
     double rotation[3][3];
     axes(camera, rotation);
@@ -22,14 +22,14 @@ void camera_turn_to_view(const ew_scene_camera *camera, const double direction[3
         result[i] = vector_dot(rotation[i], direction);
 }
 
-void camera_to_view(const ew_scene_camera *camera, const double position[3], double result[3])
+void camera_to_view(const scene_camera *camera, const double position[3], double result[3])
 {
     double from_eye[3];
     vector_subtract(position, camera->eye, from_eye);
     camera_turn_to_view(camera, from_eye, result);
 }
 
-void camera_view(const ew_scene_camera *camera, double view[16])
+void camera_view(const scene_camera *camera, double view[16])
 {
     double rotation[3][3];
     axes(camera, rotation);
@@ -42,7 +42,7 @@ void camera_view(const ew_scene_camera *camera, double view[16])
     view[15] = 1;
 }
 
-void camera_projection(const ew_scene_camera *camera, double aspect, double projection[16])
+void camera_projection(const scene_camera *camera, double aspect, double projection[16])
 {
     for (int i = 0; i < 16; i++)
         projection[i] = 0;

@@ -6,7 +6,7 @@
 #define RENDER_H
 
 #include "context.h"
-#include "scene_file.h"
+#include "scene.h"
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -39,15 +39,15 @@ bool render_create_target(const gl_functions *gl, const render_settings *setting
 void render_destroy_target(const gl_functions *gl, render_target *target);
 
 /* Draws the scene's opaque shapes into the target's colour and depth. On failure returns false, with a message. */
-bool render_opaque(const gl_functions *gl, const ew_scene *scene, const render_settings *settings, const render_target *target,
-                   char *message, size_t size);
+bool render_opaque(const gl_functions *gl, const demo_scene *scene, const render_settings *settings,
+                   const render_target *target, char *message, size_t size);
 
 /* The frame that draws the scene's effect onto the target's colour. */
-ew_frame_desc render_frame(const ew_scene *scene, const render_settings *settings, const render_target *target);
+ew_frame_desc render_frame(const demo_scene *scene, const render_settings *settings, const render_target *target);
 
 /* Draws the scene on `context`. `color` receives 4 floats a pixel, linear RGB and opacity; `luminance`, B: one float a pixel.
  * Rows from the bottom up; either may be NULL. On failure returns false, with a message: "place: what to mend". */
-bool render_scene(gl_context *context, const ew_scene *scene, const render_settings *settings, float *color, float *luminance,
+bool render_scene(gl_context *context, const demo_scene *scene, const render_settings *settings, float *color, float *luminance,
                   char *message, size_t size);
 
 #endif

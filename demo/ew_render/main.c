@@ -113,7 +113,7 @@ static bool read_options(int argc, char **argv, command_line *options, char *mes
 }
 
 /* Draws the scene and prints which GL did. */
-static bool render(const command_line *options, const ew_scene *scene, float *color, float *luminance, char *message,
+static bool render(const command_line *options, const demo_scene *scene, float *color, float *luminance, char *message,
                    size_t size)
 {
     gl_context *context = context_create(options->backend, message, size);
@@ -128,7 +128,7 @@ static bool render(const command_line *options, const ew_scene *scene, float *co
 
 static bool render_to_files(const command_line *options, char *message, size_t size)
 {
-    ew_scene scene;
+    demo_scene scene;
     if (!scene_load(options->scene, &scene, message, size)) return false;
     const render_settings *settings = &options->settings;
     size_t pixels = (size_t)settings->width * (size_t)settings->height;

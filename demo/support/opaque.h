@@ -5,7 +5,7 @@
 #define OPAQUE_H
 
 #include "gl_functions.h"
-#include "scene_file.h"
+#include "scene.h"
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -26,12 +26,12 @@ typedef struct opaque_mesh {
 
 /* Makes the triangles of all opaque shapes. A sphere's vertices lie on it. A plane ends where the camera's far plane hides
  * that, for pictures up to 4 times as wide as high. Returns false, and nothing to free, where memory is exhausted. */
-bool opaque_make_mesh(const ew_scene *scene, opaque_mesh *mesh);
+bool opaque_make_mesh(const demo_scene *scene, opaque_mesh *mesh);
 
 void opaque_free_mesh(opaque_mesh *mesh);
 
 /* Clears the bound framebuffer's colour (linear RGB, to the background) and depth, and draws the shapes into it. Expects GL's
  * initial state; leaves it so but for the viewport and the bindings. On failure returns false with a message. */
-bool opaque_draw(const gl_functions *gl, const ew_scene *scene, int width, int height, char *message, size_t size);
+bool opaque_draw(const gl_functions *gl, const demo_scene *scene, int width, int height, char *message, size_t size);
 
 #endif

@@ -338,19 +338,18 @@ static void read_curve(reader *r, const value *source, void *result)
 static void read_opaque(reader *r, const value *shape, void *result)
 {
     static const char *const keys[][5] = {
-        [EW_OPAQUE_BOX] = {"shape", "min", "max", "color"},
-        [EW_OPAQUE_PLANE] = {"shape", "point", "normal", "color"},
-        [EW_OPAQUE_SPHERE] = {"shape", "center", "radius", "color"},
+        [OPAQUE_BOX] = {"shape", "min", "max", "color"},
+        [OPAQUE_PLANE] = {"shape", "point", "normal", "color"},
+        [OPAQUE_SPHERE] = {"shape", "center", "radius", "color"},
     };
-    static const char *const kinds[] = {
-        [EW_OPAQUE_BOX] = "box", [EW_OPAQUE_PLANE] = "plane", [EW_OPAQUE_SPHERE] = "sphere", NULL};
-    ew_opaque *opaque = result;
+    static const char *const kinds[] = {[OPAQUE_BOX] = "box", [OPAQUE_PLANE] = "plane", [OPAQUE_SPHERE] = "sphere", NULL};
+    opaque_shape *opaque = result;
     if (!check_object(r, shape)) return;
-    opaque->kind = (ew_opaque_kind)word_member(r, shape, "shape", REQUIRED, kinds);
+    opaque->kind = (opaque_kind)word_member(r, shape, "shape", REQUIRED, kinds);
     if (!r->ok) return;
     check_keys(r, shape, keys[opaque->kind]);
     switch (opaque->kind) {
-    case EW_OPAQUE_BOX: {
+    case OPAQUE_BOX: {
         double *min = opaque->shape.box.min, *max = opaque->shape.box.max;
         vector_member(r, shape, "min", REQUIRED, ANY, min);
         vector_member(r, shape, "max", REQUIRED, ANY, max);
@@ -360,11 +359,11 @@ static void read_opaque(reader *r, const value *shape, void *result)
         }
         break;
     }
-    case EW_OPAQUE_PLANE:
+    case OPAQUE_PLANE:
         vector_member(r, shape, "point", REQUIRED, ANY, opaque->shape.plane.point);
         direction_member(r, shape, "normal", opaque->shape.plane.normal);
         break;
-    case EW_OPAQUE_SPHERE:
+    case OPAQUE_SPHERE:
         vector_member(r, shape, "center", REQUIRED, ANY, opaque->shape.sphere.center);
         number_member(r, shape, "radius", REQUIRED, POSITIVE, &opaque->shape.sphere.radius);
         break;
@@ -376,12 +375,12 @@ static void read_opaque(reader *r, const value *shape, void *result)
 
 /* ---- The rest of the scene ---------------------------------------------------------------------------------------------- */
 
-static void read_camera(reader *r, const value *root, ew_scene_camera *camera)
+static void read_camera(reader *r, const value *root, scene_camera *camera)
 {
     static const char *const perspective_keys[] = {"projection", "eye", "target", "up", "fov_y_degrees", "near", "far", NULL};
     static const char *const orthographic_keys[] = {"projection", "eye", "target", "up", "height", "near", "far", NULL};
     static const char *const projections[] = {"perspective", "orthographic", NULL};
-    *camera = (ew_scene_camera){.up = {0, 1, 0}, .fov_y_degrees = 45, .height = 2, .near_depth = 0.1, .far_depth = 100};
+    *camera = (scene_camera){.up = {0, 1, 0}, .fov_y_degrees = 45, .height = 2, .near_depth = 0.1, .far_depth = 100};
     value object = member(r, root, "camera", REQUIRED);
     if (!object.json || !check_object(r, &object)) return;
     camera->orthographic = word_member(r, &object, "projection", OPTIONAL, projections) == 1;
@@ -415,7 +414,7 @@ static void read_camera(reader *r, const value *root, ew_scene_camera *camera)
         fail(r, &far_place, "must be more than near, which is %g, but is %g", camera->near_depth, camera->far_depth);
 }
 
-static void read_interval(reader *r, const value *root, ew_scene *scene)
+static void read_interval(reader *r, const value *root, demo_scene *scene)
 {
     static const char *const keys[] = {"start", "end", NULL};
     scene->interval_start = scene->camera.near_depth;
@@ -434,7 +433,7 @@ static void read_interval(reader *r, const value *root, ew_scene *scene)
              scene->interval_end);
 }
 
-static void read_decay(reader *r, const value *root, ew_scene *scene)
+static void read_decay(reader *r, const value *root, demo_scene *scene)
 {
     static const char *const keys[] = {"alpha", "beta", NULL};
     scene->decay_alpha = 1;
@@ -455,7 +454,7 @@ static void read_version_and_comment(reader *r, const value *root)
         fail(r, &comment.at, "must be a string, not %s", type_text(comment.json));
 }
 
-static void read_scene(reader *r, const value *root, ew_scene *scene)
+static void read_scene(reader *r, const value *root, demo_scene *scene)
 {
     static const char *const keys[] = {"version",   "comment", "camera", "interval", "decay",  "epsilon", "background", "color",
                                        "composite", "points",  "lines",  "tori",     "curves", "opaque",  NULL};
@@ -479,14 +478,14 @@ static void read_scene(reader *r, const value *root, ew_scene *scene)
     sources->lines = list_member(r, root, "lines", EW_MAX_LINES, sizeof(ew_line), read_line, &sources->line_count);
     sources->tori = list_member(r, root, "tori", EW_MAX_TORI, sizeof(ew_torus), read_torus, &sources->torus_count);
     sources->curves = list_member(r, root, "curves", EW_MAX_CURVES, sizeof(ew_curve), read_curve, &sources->curve_count);
-    scene->opaque = list_member(r, root, "opaque", EW_MAX_OPAQUE, sizeof(ew_opaque), read_opaque, &scene->opaque_count);
+    scene->opaque = list_member(r, root, "opaque", MAX_OPAQUE_SHAPES, sizeof(opaque_shape), read_opaque, &scene->opaque_count);
 }
 
 /* ---- Files -------------------------------------------------------------------------------------------------------------- */
 
-bool scene_parse(const char *text, size_t length, const char *name, ew_scene *scene, char *message, size_t size)
+bool scene_parse(const char *text, size_t length, const char *name, demo_scene *scene, char *message, size_t size)
 {
-    *scene = (ew_scene){0};
+    *scene = (demo_scene){0};
     json_error_t error;
     /* Integers are read as reals, so that large ones are as good as any other number. */
     json_t *json = json_loadb(text, length, JSON_REJECT_DUPLICATES | JSON_DECODE_INT_AS_REAL, &error);
@@ -535,9 +534,9 @@ static char *read_file(const char *path, size_t *length, char *message, size_t s
     return NULL;
 }
 
-bool scene_load(const char *path, ew_scene *scene, char *message, size_t size)
+bool scene_load(const char *path, demo_scene *scene, char *message, size_t size)
 {
-    *scene = (ew_scene){0};
+    *scene = (demo_scene){0};
     size_t length;
     char *text = read_file(path, &length, message, size);
     if (!text) return false;
@@ -546,7 +545,7 @@ bool scene_load(const char *path, ew_scene *scene, char *message, size_t size)
     return ok;
 }
 
-void scene_free(ew_scene *scene)
+void scene_free(demo_scene *scene)
 {
     /* The library's lists are lists of constants; these were allocated here. */
     for (size_t i = 0; i < scene->sources.curve_count; i++)
@@ -556,5 +555,5 @@ void scene_free(ew_scene *scene)
     free((ew_torus *)scene->sources.tori);
     free((ew_curve *)scene->sources.curves);
     free(scene->opaque);
-    *scene = (ew_scene){0};
+    *scene = (demo_scene){0};
 }
