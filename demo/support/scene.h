@@ -5,6 +5,7 @@
 #define SCENE_H
 
 #include "energywave.h"
+#include "memory_chain.h"
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -17,9 +18,9 @@ typedef struct scene_camera {
     double up[3];     /* not parallel to target - eye */
     bool orthographic;
     double fov_y_degrees; /* of a perspective camera */
-    double height;        /* of an orthographic camera: what it sees of the world, from bottom to top */
-    double near_depth;    /* view depths of the near and far planes */
-    double far_depth;
+    double height;        /* of an orthographic camera's picture, in world units */
+    double near_depth;    /* view depth of the near plane */
+    double far_depth;     /* view depth of the far plane */
 } scene_camera;
 
 typedef enum opaque_kind { OPAQUE_BOX, OPAQUE_PLANE, OPAQUE_SPHERE } opaque_kind;
@@ -40,21 +41,22 @@ typedef struct opaque_shape {
             double radius;
         } sphere;
     } shape;
-    double color[3];
+    double color[3]; /* linear RGB */
 } opaque_shape;
 
 typedef struct demo_scene {
     scene_camera camera;
-    double interval_start; /* view depths */
+    double interval_start; /* a view depth, as is the end */
     double interval_end;
     double decay_alpha;
     double decay_beta;
     double background[3];
-    double color[3];         /* of the sources that name none; already in them */
-    ew_output composite;     /* EW_OUTPUT_LERP or EW_OUTPUT_ADD */
-    ew_sources_desc sources; /* owned by the scene, curves' weights included */
+    double color[3];     /* the default of sources; those that name no other have it already */
+    ew_output composite; /* EW_OUTPUT_LERP or EW_OUTPUT_ADD */
+    ew_sources_desc sources;
     opaque_shape *opaque;
     size_t opaque_count;
+    memory_chain *memory; /* of a scene from a file: all its lists */
 } demo_scene;
 
 #endif
