@@ -1,6 +1,6 @@
 /*
- * GL contexts without a window, behind one interface: EGL and, where it was found at build time, OSMesa. Several may exist at
- * once, of either kind; each call below makes current, or needs current, exactly the one it is given.
+ * GL contexts without a window on a display, behind one interface: EGL and, where it was found at build time, OSMesa.
+ * Several may exist at once, of either kind.
  */
 #ifndef CONTEXT_H
 #define CONTEXT_H
@@ -17,27 +17,44 @@ typedef enum context_backend {
     CONTEXT_OSMESA,
 } context_backend;
 
-typedef struct gl_context gl_context;
-
-/* The names of the backends as users write them, in the order of the enumeration, up to a NULL. */
+/* What users call the backends, in the order of the enumeration, up to a NULL. */
 extern const char *const context_backend_names[];
 
-/* Creates an OpenGL 3.3 core (or later) context and makes it current. Returns NULL, with one line of what to mend in
- * `message`, where there is none; no context is current then. */
+typedef struct gl_context gl_context;
+
+typedef struct context_desc {
+    context_backend backend;
+    bool es;            /* OpenGL ES, which OSMesa lacks */
+    int major;          /* the oldest version that will do */
+    int minor;          /* likewise */
+    bool compatibility; /* the compatibility profile instead of the core profile */
+    bool debug;         /* a debug context, where the backend has them */
+    int window_width;   /* of framebuffer 0: 8-bit RGBA with depth and stencil; 0 for no such framebuffer */
+    int window_height;
+    int window_samples; /* of framebuffer 0, by EGL only */
+    gl_context *share;  /* a context of the same description to share objects with, or NULL; `backend` is not CONTEXT_AUTO */
+} context_desc;
+
+/* Creates a context and makes it current. On failure returns NULL, with the reason in `message`; no context is current then. */
+gl_context *context_create_described(const context_desc *desc, char *message, size_t size);
+
+/* The same for OpenGL 3.3 core, with its functions loaded. `message` says what to mend. */
 gl_context *context_create(context_backend backend, char *message, size_t size);
 
+/* Makes `context` current on this thread; with NULL, none. */
 bool context_make_current(gl_context *context);
 
-/* Leaves no context current. `context` may be NULL. */
+/* The context must not be current on another thread. If it is current on this one, none is afterwards. `context` may be NULL.
+ */
 void context_destroy(gl_context *context);
 
-/* The functions of this context, which must be current when they are called. */
+/* The functions of a context from context_create. It must be current when they are called. */
 const gl_functions *context_gl(const gl_context *context);
 
 /* For ew_effect_desc: `user` is the context. */
 ew_gl_function context_get_proc_address(void *user, const char *name);
 
-/* One line: backend, vendor, renderer and version. */
+/* Backend, vendor, renderer and version of a context from context_create, on one line. */
 const char *context_description(const gl_context *context);
 
 #endif

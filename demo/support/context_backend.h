@@ -1,29 +1,25 @@
 /*
- * What a kind of context provides: context.c alone uses it, context_egl.c and context_osmesa.c alone implement it.
+ * What a backend provides. Only context.c uses this; only context_egl.c and context_osmesa.c implement it.
  */
 #ifndef CONTEXT_BACKEND_H
 #define CONTEXT_BACKEND_H
 
-#include <stdbool.h>
-#include <stddef.h>
-
-typedef void (*context_function)(void);
+#include "context.h"
 
 typedef struct context_implementation {
-    /* What the user is told it is, such as "EGL, surfaceless". */
-    const char *name;
+    const char *name; /* for users, such as "EGL, surfaceless" */
     void *state;
-    /* Called with no other context current. */
-    bool (*make_current)(void *state);
-    /* Called with this one current. */
-    void (*release)(void *state);
-    context_function (*get_proc_address)(const char *name);
-    /* Called after release; frees `state`. */
-    void (*destroy)(void *state);
+    bool (*make_current)(void *state); /* called while no other context is current */
+    void (*release)(void *state);      /* called while this one is current */
+    ew_gl_function (*get_proc_address)(const char *name);
+    void (*destroy)(void *state); /* called while this one is not current; frees `state` */
 } context_implementation;
 
-/* Each creates a context and makes it current, called with none current, or says on one line why it cannot. */
-bool context_create_egl(context_implementation *implementation, char *message, size_t size);
-bool context_create_osmesa(context_implementation *implementation, char *message, size_t size);
+/* Each creates a context and makes it current; called while none is current. `share` is the state of the context to share
+ * objects with, or NULL. On failure returns false, with the reason in `message`. */
+bool context_create_egl(const context_desc *desc, void *share, context_implementation *implementation, char *message,
+                        size_t size);
+bool context_create_osmesa(const context_desc *desc, void *share, context_implementation *implementation, char *message,
+                           size_t size);
 
 #endif
