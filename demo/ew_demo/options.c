@@ -4,7 +4,6 @@
 #include "image.h"
 #include "message.h"
 
-#include <getopt.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -36,49 +35,43 @@ static const char help[] =
     "        --frames $((SLURM_ARRAY_TASK_ID * 30))-$((SLURM_ARRAY_TASK_ID * 30 + 29))'\n"
     "Exit status: 0, or 2 with one line of what to mend on standard error.\n";
 
-enum {
-    OPTION_SIZE = 256,
-    OPTION_INTEGRATOR,
-    OPTION_SPLIT,
-    OPTION_SHOW,
-    OPTION_SAMPLES,
-    OPTION_OFFSCREEN,
-    OPTION_FRAMES,
-    OPTION_FPS,
-    OPTION_VIDEO,
-    OPTION_BACKEND,
-    OPTION_HELP,
-    OPTION_VERSION
-};
+static bool read_window_size(const char *text, void *target)
+{
+    render_settings *settings = target;
+    return read_size(text, &settings->width, &settings->height);
+}
 
-static const struct option long_options[] = {{"size", required_argument, NULL, OPTION_SIZE},
-                                             {"integrator", required_argument, NULL, OPTION_INTEGRATOR},
-                                             {"split", required_argument, NULL, OPTION_SPLIT},
-                                             {"show", required_argument, NULL, OPTION_SHOW},
-                                             {"samples", required_argument, NULL, OPTION_SAMPLES},
-                                             {"offscreen", no_argument, NULL, OPTION_OFFSCREEN},
-                                             {"frames", required_argument, NULL, OPTION_FRAMES},
-                                             {"fps", required_argument, NULL, OPTION_FPS},
-                                             {"output", required_argument, NULL, 'o'},
-                                             {"video", required_argument, NULL, OPTION_VIDEO},
-                                             {"backend", required_argument, NULL, OPTION_BACKEND},
-                                             {"help", no_argument, NULL, OPTION_HELP},
-                                             {"version", no_argument, NULL, OPTION_VERSION},
-                                             {NULL, 0, NULL, 0}};
+static bool read_split(const char *text, void *target)
+{
+    demo_options *options = target;
+    options->split = true;
+    return read_integrator(text, &options->right);
+}
 
-static bool read_mode(const char *text, stage_mode *mode)
+static bool read_mode(const char *text, void *target)
 {
     static const char *const names[] = {"picture", "evaluations", "error"};
     for (int i = 0; i < 3; i++)
         if (strcmp(text, names[i]) == 0) {
-            *mode = (stage_mode)i;
+            *(stage_mode *)target = (stage_mode)i;
             return true;
         }
     return false;
 }
 
-static bool read_frames(const char *text, demo_options *options)
+static bool read_samples(const char *text, void *target)
 {
+    return read_number(text, 1, 4, target);
+}
+
+static bool read_frame_rate(const char *text, void *target)
+{
+    return read_number(text, 1, 240, target);
+}
+
+static bool read_frames(const char *text, void *target)
+{
+    demo_options *options = target;
     const char *end;
     if (!read_count(text, &end, &options->first_frame)) return false;
     options->last_frame = options->first_frame;
@@ -116,69 +109,20 @@ static bool check(const demo_options *options, char *message, size_t size)
 
 bool options_read(int argc, char **argv, demo_options *options, char *message, size_t size)
 {
-    int option;
-    message[0] = '\0';
-    opterr = 0;
-    while ((option = getopt_long(argc, argv, ":o:h", long_options, NULL)) != -1) {
-        bool ok = true;
-        const char *remedy = "";
-        switch (option) {
-        case OPTION_SIZE:
-            ok = read_size(optarg, &options->settings.width, &options->settings.height);
-            remedy = "--size: " SIZE_REMEDY;
-            break;
-        case OPTION_INTEGRATOR:
-            ok = read_integrator(optarg, &options->settings);
-            remedy = "--integrator: " INTEGRATOR_REMEDY;
-            break;
-        case OPTION_SPLIT:
-            options->split = true;
-            ok = read_integrator(optarg, &options->right);
-            remedy = "--split: " INTEGRATOR_REMEDY;
-            break;
-        case OPTION_SHOW:
-            ok = read_mode(optarg, &options->mode);
-            remedy = "--show: must be picture, evaluations or error";
-            break;
-        case OPTION_SAMPLES:
-            ok = read_number(optarg, 1, 4, &options->samples_per_axis);
-            remedy = "--samples: must be a number from 1 to 4";
-            break;
-        case OPTION_OFFSCREEN:
-            options->offscreen = true;
-            break;
-        case OPTION_FRAMES:
-            ok = read_frames(optarg, options);
-            remedy = "--frames: must be two numbers of frames, as in 0-299, or one";
-            break;
-        case OPTION_FPS:
-            ok = read_number(optarg, 1, 240, &options->frames_per_second);
-            remedy = "--fps: must be a number from 1 to 240";
-            break;
-        case 'o':
-            options->output = optarg;
-            break;
-        case OPTION_VIDEO:
-            options->video = optarg;
-            break;
-        case OPTION_BACKEND:
-            ok = read_backend(optarg, &options->backend);
-            remedy = "--backend: " BACKEND_REMEDY;
-            break;
-        case OPTION_HELP:
-        case 'h':
-            fputs(help, stdout);
-            return false;
-        case OPTION_VERSION:
-            printf("ew-demo %d.%d.%d\n", EW_VERSION_MAJOR, EW_VERSION_MINOR, EW_VERSION_PATCH);
-            return false;
-        default:
-            return refuse_option(option, argv, "ew-demo", message, size);
-        }
-        if (!ok) {
-            message_write(message, size, "%s, not \"%s\"", remedy, optarg);
-            return false;
-        }
-    }
-    return read_scene_name(argc, argv, "show", &options->scene, message, size) && check(options, message, size);
+    const command_option table[] = {
+        {"size", 0, read_window_size, &options->settings, SIZE_REMEDY},
+        {"integrator", 0, read_integrator, &options->settings, INTEGRATOR_REMEDY},
+        {"split", 0, read_split, options, INTEGRATOR_REMEDY},
+        {"show", 0, read_mode, &options->mode, "must be picture, evaluations or error"},
+        {"samples", 0, read_samples, &options->samples_per_axis, "must be a number from 1 to 4"},
+        {"offscreen", 0, NULL, &options->offscreen, NULL},
+        {"frames", 0, read_frames, options, "must be two frame numbers, the first no larger, as in 0-299, or one"},
+        {"fps", 0, read_frame_rate, &options->frames_per_second, "must be a number from 1 to 240"},
+        {"output", 'o', read_text, &options->output, NULL},
+        {"video", 0, read_text, &options->video, NULL},
+        {"backend", 0, read_backend, &options->backend, BACKEND_REMEDY},
+    };
+    const command_program program = {"ew-demo", help, table, sizeof table / sizeof *table};
+    return command_line_read(argc, argv, &program, message, size) &&
+           command_line_read_scene(argc, argv, "show", &options->scene, message, size) && check(options, message, size);
 }

@@ -1,6 +1,7 @@
 /* What stands over the picture: see panel.h. */
 #include "panel.h"
 #include "false_color.h"
+#include "integrator_name.h"
 
 #include <math.h>
 #include <stdarg.h>
@@ -65,20 +66,11 @@ static void draw_keys(demo_overlay *overlay, double y, double scale)
     }
 }
 
-static void name_integrator(const render_settings *settings, char name[40])
-{
-    static const char *const errors[] = {"1e-2", "1e-3", "1e-4"};
-    if (settings->integrator == EW_INTEGRATOR_SIMPSON)
-        snprintf(name, 40, "Simpson, %d divisions", settings->simpson_divisions);
-    else
-        snprintf(name, 40, "adaptive, error %s", errors[settings->quality]);
-}
-
 static void describe_half(text_lines *lines, const panel_view *view, int half)
 {
     const stage_statistics *statistics = &view->statistics[half];
-    char name[40];
-    name_integrator(&view->integrators[half], name);
+    char name[INTEGRATOR_NAME_SIZE];
+    integrator_write_name(&view->integrators[half], name);
     add(lines, "%s%s", view->split ? half ? "right: " : "left: " : "", name);
     if (statistics->map.mean_evaluations >= 0) add(lines, ", %.1f evaluations a pixel", statistics->map.mean_evaluations);
     if (view->mode == STAGE_PICTURE && statistics->gpu_milliseconds >= 0)

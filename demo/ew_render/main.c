@@ -8,7 +8,6 @@
 #include "render.h"
 #include "scene_file.h"
 
-#include <getopt.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -55,61 +54,26 @@ static bool check_options(const command_line *options, char *message, size_t siz
     return false;
 }
 
-enum { OPTION_SIZE = 256, OPTION_LUMINANCE, OPTION_INTEGRATOR, OPTION_BACKEND, OPTION_HELP, OPTION_VERSION };
-
-static const struct option long_options[] = {{"output", required_argument, NULL, 'o'},
-                                             {"size", required_argument, NULL, OPTION_SIZE},
-                                             {"luminance", required_argument, NULL, OPTION_LUMINANCE},
-                                             {"integrator", required_argument, NULL, OPTION_INTEGRATOR},
-                                             {"backend", required_argument, NULL, OPTION_BACKEND},
-                                             {"help", no_argument, NULL, OPTION_HELP},
-                                             {"version", no_argument, NULL, OPTION_VERSION},
-                                             {NULL, 0, NULL, 0}};
+static bool read_picture_size(const char *text, void *target)
+{
+    render_settings *settings = target;
+    return read_size(text, &settings->width, &settings->height);
+}
 
 /* Returns false with a message, or with an empty one where the options asked for a text that has been printed. */
 static bool read_options(int argc, char **argv, command_line *options, char *message, size_t size)
 {
-    int option;
-    message[0] = '\0';
-    opterr = 0;
-    while ((option = getopt_long(argc, argv, ":o:h", long_options, NULL)) != -1) {
-        bool ok = true;
-        const char *remedy = "";
-        switch (option) {
-        case 'o':
-            options->output = optarg;
-            break;
-        case OPTION_LUMINANCE:
-            options->luminance = optarg;
-            break;
-        case OPTION_SIZE:
-            ok = read_size(optarg, &options->settings.width, &options->settings.height);
-            remedy = "--size: " SIZE_REMEDY;
-            break;
-        case OPTION_INTEGRATOR:
-            ok = read_integrator(optarg, &options->settings);
-            remedy = "--integrator: " INTEGRATOR_REMEDY;
-            break;
-        case OPTION_BACKEND:
-            ok = read_backend(optarg, &options->backend);
-            remedy = "--backend: " BACKEND_REMEDY;
-            break;
-        case OPTION_HELP:
-        case 'h':
-            fputs(help, stdout);
-            return false;
-        case OPTION_VERSION:
-            printf("ew-render %d.%d.%d\n", EW_VERSION_MAJOR, EW_VERSION_MINOR, EW_VERSION_PATCH);
-            return false;
-        default:
-            return refuse_option(option, argv, "ew-render", message, size);
-        }
-        if (!ok) {
-            message_write(message, size, "%s, not \"%s\"", remedy, optarg);
-            return false;
-        }
-    }
-    return read_scene_name(argc, argv, "render", &options->scene, message, size) && check_options(options, message, size);
+    const command_option table[] = {
+        {"output", 'o', read_text, &options->output, NULL},
+        {"luminance", 0, read_text, &options->luminance, NULL},
+        {"size", 0, read_picture_size, &options->settings, SIZE_REMEDY},
+        {"integrator", 0, read_integrator, &options->settings, INTEGRATOR_REMEDY},
+        {"backend", 0, read_backend, &options->backend, BACKEND_REMEDY},
+    };
+    const command_program program = {"ew-render", help, table, sizeof table / sizeof *table};
+    return command_line_read(argc, argv, &program, message, size) &&
+           command_line_read_scene(argc, argv, "render", &options->scene, message, size) &&
+           check_options(options, message, size);
 }
 
 /* Draws the scene and prints which GL did. */
@@ -154,8 +118,6 @@ int main(int argc, char **argv)
     command_line options = {.settings = {640, 360, EW_INTEGRATOR_ADAPTIVE, EW_QUALITY_ERROR_1E_3, 200},
                             .backend = CONTEXT_AUTO};
     char message[600];
-    /* Mesa's EGL would add lines of its own to the one that says why there is no context. */
-    setenv("EGL_LOG_LEVEL", "fatal", 0);
     if (read_options(argc, argv, &options, message, sizeof message) && render_to_files(&options, message, sizeof message))
         return EXIT_SUCCESS;
     if (message[0] == '\0') return EXIT_SUCCESS;

@@ -70,6 +70,8 @@ gl_context *context_create(context_backend backend, char *message, size_t size)
 {
     const context_desc desc = {.backend = backend, .major = 3, .minor = 3};
     char reason[400];
+    /* Mesa's EGL would add lines of its own to the one that says why there is no context. */
+    setenv("EGL_LOG_LEVEL", "fatal", 0);
     gl_context *context = context_create_described(&desc, reason, sizeof reason);
     if (context && load_functions(context, reason, sizeof reason)) return context;
     context_destroy(context);

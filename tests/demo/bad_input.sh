@@ -21,8 +21,8 @@ refuses() {
 
 refuses '--size: must be WIDTHxHEIGHT' --size 640
 refuses '--samples: must be a number from 1 to 4' --samples 5
-refuses '--frames: must be two numbers' --offscreen --frames 5-3 -o %d.png
-refuses '--frames: must be two numbers' --offscreen --frames -3 -o %d.png
+refuses '--frames: must be two frame numbers' --offscreen --frames 5-3 -o %d.png
+refuses '--frames: must be two frame numbers' --offscreen --frames -3 -o %d.png
 refuses '--fps: must be a number from 1 to 240' --offscreen --fps 0 -o %d.png
 refuses '--offscreen: no output is asked for' --offscreen
 refuses 'add --offscreen' -o frame%d.png
