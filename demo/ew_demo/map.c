@@ -1,6 +1,7 @@
 /* Maps of the method: see map.h. */
 #include "map.h"
 #include "false_color.h"
+#include "texture.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -27,10 +28,8 @@ static ew_result measure(const gl_functions *gl, ew_effect *effect, const ew_fra
     measured.output = output;
     ew_result result = ew_draw(effect, &measured, error);
     if (result) return result;
-    gl->BindFramebuffer(GL_FRAMEBUFFER, frame->framebuffer);
-    gl->ReadPixels(frame->viewport_x, frame->viewport_y, frame->viewport_width, frame->viewport_height, GL_RED, GL_FLOAT,
-                   values);
-    gl->BindFramebuffer(GL_FRAMEBUFFER, 0);
+    const pixel_rectangle viewport = {frame->viewport_x, frame->viewport_y, frame->viewport_width, frame->viewport_height};
+    texture_read(gl, frame->framebuffer, viewport, GL_RED, GL_FLOAT, values);
     return EW_OK;
 }
 

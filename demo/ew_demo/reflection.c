@@ -35,10 +35,7 @@ ew_result reflection_draw(const gl_functions *gl, floor_reflection *reflection, 
     gl->BindFramebuffer(GL_FRAMEBUFFER, reflection->opaque_framebuffer);
     lit_opaque_draw(lit, &(lit_opaque_view){.scene = scene, .width = half.width, .height = half.height, .is_mirrored = true});
 
-    const float nothing[4] = {0, 0, 0, 0};
-    gl->BindFramebuffer(GL_FRAMEBUFFER, reflection->energy_framebuffer);
-    gl->ClearBufferfv(GL_COLOR, 0, nothing);
-    gl->BindFramebuffer(GL_FRAMEBUFFER, 0);
+    texture_clear(gl, reflection->energy_framebuffer);
     render_target target = {.depth = reflection->depth, .effect_framebuffer = reflection->energy_framebuffer};
     ew_frame_desc frame = render_frame(scene, &half, &target);
     /* Mirrored at the floor, y = 0, before it is seen. */

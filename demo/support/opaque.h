@@ -1,37 +1,36 @@
 /*
- * The opaque shapes of a scene: as triangles in the world, which need no GL, and drawn into a framebuffer.
+ * The opaque shapes of a scene in GL.
  */
 #ifndef OPAQUE_H
 #define OPAQUE_H
 
 #include "gl_functions.h"
-#include "scene.h"
+#include "opaque_mesh.h"
 
 #include <stdbool.h>
 #include <stddef.h>
 
-typedef struct opaque_vertex {
-    double position[3]; /* in the world */
-    double normal[3];   /* unit, out of the shape */
-    double color[3];    /* linear RGB */
-} opaque_vertex;
+/* A mesh in GL's memory: vertex attribute 0 is the position, 1 the normal, and 2 the colour. */
+typedef struct opaque_buffers {
+    GLuint vertex_array;
+    GLuint buffers[2];
+    GLsizei index_count;
+} opaque_buffers;
 
-/* Triangles are counterclockwise where seen from outside. All are there, the hidden ones too: depth test them. */
-typedef struct opaque_mesh {
-    opaque_vertex *vertices;
-    size_t vertex_count;
-    unsigned (*triangles)[3];
-    size_t triangle_count;
-} opaque_mesh;
+/* Uploads the mesh, in the view space of `camera`, or in the world where that is NULL. Returns false where memory is exhausted.
+ */
+bool opaque_upload(const gl_functions *gl, const opaque_mesh *mesh, const scene_camera *camera, opaque_buffers *buffers);
 
-/* Makes the triangles of all opaque shapes. A sphere's vertices lie on it. A plane ends where the camera's far plane hides
- * that, for pictures up to 4 times as wide as high. Returns false, and nothing to free, where memory is exhausted. */
-bool opaque_make_mesh(const demo_scene *scene, opaque_mesh *mesh);
+/* Draws the triangles with the program in use. */
+void opaque_draw_buffers(const gl_functions *gl, const opaque_buffers *buffers);
 
-void opaque_free_mesh(opaque_mesh *mesh);
+void opaque_delete_buffers(const gl_functions *gl, opaque_buffers *buffers);
 
-/* Clears the bound framebuffer's colour (linear RGB, to the background) and depth, and draws the shapes into it. Expects GL's
- * initial state; leaves it so but for the viewport and the bindings. On failure returns false with a message. */
+/* Clears the bound framebuffer's colour to the background, linear RGB, and its depth. */
+void opaque_clear(const gl_functions *gl, const demo_scene *scene);
+
+/* Clears the bound framebuffer, and draws the shapes into it. Expects GL's initial state, and changes nothing of it but the
+ * viewport and the bindings. On failure returns false, with a message. */
 bool opaque_draw(const gl_functions *gl, const demo_scene *scene, int width, int height, char *message, size_t size);
 
 #endif

@@ -56,30 +56,21 @@ ew_frame_desc render_frame(const demo_scene *scene, const render_settings *setti
     return frame;
 }
 
-static void read_pixels(const gl_functions *gl, GLuint framebuffer, const render_settings *settings, GLenum format,
-                        float *pixels)
-{
-    gl->BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-    gl->ReadPixels(0, 0, settings->width, settings->height, format, GL_FLOAT, pixels);
-    gl->BindFramebuffer(GL_FRAMEBUFFER, 0);
-}
-
 static bool draw_effect(const gl_functions *gl, ew_effect *effect, const demo_scene *scene, const render_settings *settings,
                         const render_target *target, float *color, float *luminance, ew_error *error)
 {
+    const pixel_rectangle whole = {0, 0, settings->width, settings->height};
     ew_frame_desc frame = render_frame(scene, settings, target);
     if (color) {
         if (ew_draw(effect, &frame, error)) return false;
-        read_pixels(gl, target->effect_framebuffer, settings, GL_RGBA, color);
+        texture_read(gl, target->effect_framebuffer, whole, GL_RGBA, GL_FLOAT, color);
     }
     if (luminance) {
-        const float nothing[4] = {0, 0, 0, 0};
-        gl->BindFramebuffer(GL_FRAMEBUFFER, target->luminance_framebuffer);
-        gl->ClearBufferfv(GL_COLOR, 0, nothing);
+        texture_clear(gl, target->luminance_framebuffer);
         frame.framebuffer = target->luminance_framebuffer;
         frame.output = EW_OUTPUT_LUMINANCE;
         if (ew_draw(effect, &frame, error)) return false;
-        read_pixels(gl, target->luminance_framebuffer, settings, GL_RED, luminance);
+        texture_read(gl, target->luminance_framebuffer, whole, GL_RED, GL_FLOAT, luminance);
     }
     return true;
 }

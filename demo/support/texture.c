@@ -24,3 +24,20 @@ GLuint texture_framebuffer(const gl_functions *gl, GLuint color, GLuint depth, b
     gl->BindFramebuffer(GL_FRAMEBUFFER, 0);
     return framebuffer;
 }
+
+void texture_clear(const gl_functions *gl, GLuint framebuffer)
+{
+    const float nothing[4] = {0, 0, 0, 0};
+    gl->BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    gl->ClearBufferfv(GL_COLOR, 0, nothing);
+    gl->BindFramebuffer(GL_FRAMEBUFFER, 0);
+}
+
+void texture_read(const gl_functions *gl, GLuint framebuffer, pixel_rectangle from, GLenum format, GLenum type, void *pixels)
+{
+    gl->BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    gl->PixelStorei(GL_PACK_ALIGNMENT, 1);
+    gl->ReadPixels(from.x, from.y, from.width, from.height, format, type, pixels);
+    gl->PixelStorei(GL_PACK_ALIGNMENT, 4);
+    gl->BindFramebuffer(GL_FRAMEBUFFER, 0);
+}

@@ -1,5 +1,5 @@
 /*
- * Vectors and points of three doubles: what must stay exact far from the world's origin, where floats would not do.
+ * Vectors and points of three doubles, since floats are too coarse far from the world's origin.
  */
 #ifndef VECTOR_H
 #define VECTOR_H
@@ -43,8 +43,8 @@ static inline double vector_length(const double a[3])
     return sqrt(vector_dot(a, a));
 }
 
-/* Brings `a` to unit length; false, and a result of zero, if it has no direction. The largest component is divided out
- * first, so that lengths whose squares overflow or underflow are as good as any. */
+/* Brings `a` to unit length. Returns false, and a result of zero, if `a` is zero. Divides by the largest component first, so
+ * that squares neither overflow nor underflow. */
 static inline bool vector_normalize(const double a[3], double result[3])
 {
     double largest = fmax(fabs(a[0]), fmax(fabs(a[1]), fabs(a[2])));
@@ -55,6 +55,15 @@ static inline bool vector_normalize(const double a[3], double result[3])
     for (int i = 0; i < 3; i++)
         result[i] /= length;
     return has_direction;
+}
+
+/* Two unit vectors across the unit vector `axis`, which with it are right-handed: u, v, axis. */
+static inline void vector_across(const double axis[3], double u[3], double v[3])
+{
+    double other[3] = {fabs(axis[0]) < 0.5, fabs(axis[0]) >= 0.5, 0};
+    vector_cross(other, axis, u);
+    vector_normalize(u, u);
+    vector_cross(axis, u, v);
 }
 
 #endif
