@@ -53,7 +53,7 @@ static bool read_mode(const char *text, void *target)
     static const char *const names[] = {"picture", "evaluations", "error"};
     for (int i = 0; i < 3; i++)
         if (strcmp(text, names[i]) == 0) {
-            *(stage_mode *)target = (stage_mode)i;
+            *(display_mode *)target = (display_mode)i;
             return true;
         }
     return false;

@@ -5,8 +5,8 @@
 #define OPTIONS_H
 
 #include "context.h"
+#include "display.h"
 #include "render.h"
-#include "stage.h"
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -22,7 +22,7 @@ typedef struct demo_options {
     render_settings settings;
     bool split;
     render_settings right; /* how to integrate the right half */
-    stage_mode mode;
+    display_mode mode;
     int samples_per_axis;
     context_backend backend;
 } demo_options;

@@ -68,14 +68,14 @@ static void draw_keys(demo_overlay *overlay, double y, double scale)
 
 static void describe_half(text_lines *lines, const panel_view *view, int half)
 {
-    const stage_statistics *statistics = &view->statistics[half];
+    const display_statistics *statistics = &view->statistics[half];
     char name[INTEGRATOR_NAME_SIZE];
     integrator_write_name(&view->integrators[half], name);
     add(lines, "%s%s", view->split ? half ? "right: " : "left: " : "", name);
     if (statistics->map.mean_evaluations >= 0) add(lines, ", %.1f evaluations a pixel", statistics->map.mean_evaluations);
-    if (view->mode == STAGE_PICTURE && statistics->gpu_milliseconds >= 0)
+    if (view->mode == DISPLAY_PICTURE && statistics->gpu_milliseconds >= 0)
         add(lines, ", GPU %.2f ms", statistics->gpu_milliseconds);
-    if (view->mode == STAGE_ERROR)
+    if (view->mode == DISPLAY_ERROR)
         add(lines, "\n    error at most %.1e, 99 %% below %.1e", statistics->map.largest_error,
             statistics->map.error_of_99_percent);
     add(lines, "\n");
@@ -97,7 +97,7 @@ static void describe(text_lines *lines, const panel_view *view)
 static void draw_scale(demo_overlay *overlay, const panel_view *view, int width, int height, double scale)
 {
     enum { STEPS = 64 };
-    bool is_error = view->mode == STAGE_ERROR;
+    bool is_error = view->mode == DISPLAY_ERROR;
     double bar = fmin(300 * scale, 0.6 * width), x = (width - bar) / 2, y = height - 2.5 * OVERLAY_LINE * scale;
     char text[200];
     if (is_error)
@@ -126,7 +126,7 @@ void panel_draw(demo_overlay *overlay, const panel_view *view, int width, int he
     overlay_begin(overlay);
     if (view->split) overlay_box(overlay, width / 2 - 0.5, 0, 1, height, pale);
     if (view->shows_panel) draw_box(overlay, 8 * scale, 8 * scale, scale, lines.text, white);
-    if (view->shows_panel && view->mode != STAGE_PICTURE) draw_scale(overlay, view, width, height, scale);
+    if (view->shows_panel && view->mode != DISPLAY_PICTURE) draw_scale(overlay, view, width, height, scale);
     if (view->shows_keys) draw_keys(overlay, (line_count(lines.text) * OVERLAY_LINE + 28) * scale, scale);
     if (view->error[0])
         draw_lower_left(overlay, height, scale, view->error, red);

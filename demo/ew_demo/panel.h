@@ -4,9 +4,9 @@
 #ifndef PANEL_H
 #define PANEL_H
 
+#include "display.h"
 #include "overlay.h"
 #include "render.h"
-#include "stage.h"
 
 #include <stdbool.h>
 
@@ -19,10 +19,10 @@ typedef struct panel_view {
     bool is_paused;
     bool is_animated;
     double frame_milliseconds;
-    stage_mode mode;
+    display_mode mode;
     bool split;
     render_settings integrators[2];
-    stage_statistics statistics[2];
+    display_statistics statistics[2];
     bool shows_panel;
     bool shows_keys;
     const char *notice; /* empty for none */

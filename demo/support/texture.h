@@ -9,8 +9,8 @@
 /* Creates a texture without mipmaps that is sampled at its nearest texel. */
 GLuint texture_create(const gl_functions *gl, int width, int height, GLint internal_format, GLenum format);
 
-/* Creates a framebuffer of `color` and, unless it is 0, `depth`. Sets *complete to false if it cannot be drawn to; leaves it alone
- * otherwise. */
+/* Creates a framebuffer of `color` and, unless it is 0, `depth`. Sets *complete to false if it cannot be drawn to; leaves it
+ * alone otherwise. */
 GLuint texture_framebuffer(const gl_functions *gl, GLuint color, GLuint depth, bool *complete);
 
 /* The two functions below leave no framebuffer bound. */
