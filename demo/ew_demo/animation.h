@@ -1,6 +1,6 @@
 /*
- * The demo's energy as a pure function of time: an orb that charges by two beams and fires, the shock ring and the bolt of
- * that, and a blade that circles. It repeats itself every ANIMATION_SECONDS without a seam.
+ * The demo's energy as a pure function of time. Two beams charge an orb, which fires a bolt and sends out a shock ring, while a
+ * blade circles. The animation repeats every ANIMATION_SECONDS without a seam.
  */
 #ifndef ANIMATION_H
 #define ANIMATION_H
@@ -13,7 +13,7 @@
 enum { ANIMATION_BEAMS = 2, ANIMATION_BOLT = ANIMATION_BEAMS, ANIMATION_BLADE, ANIMATION_CURVES };
 enum { ANIMATION_WEIGHTS = 12 };
 
-/* The scene of one moment, with all that it points to; so it must not be copied, nor given to scene_free. */
+/* The scene at one moment. It points into this structure, which must therefore not be copied. */
 typedef struct demo_animation {
     demo_scene scene;
     ew_point orb;
@@ -23,11 +23,11 @@ typedef struct demo_animation {
     opaque_shape shapes[COURT_MAX_SHAPES];
 } demo_animation;
 
-/* Fills in the court and what never changes of the energy. */
+/* Fills in the court and everything that does not change with time. */
 void animation_init(demo_animation *animation);
 
-/* Sets the sources and the camera to what they are at `seconds`, any finite number. The camera is the one of the recorded
- * path, which sways and comes back. */
+/* Sets the sources and the camera to what they are at `seconds`, which may be any finite number. The camera sways along its
+ * path and comes back. */
 void animation_set_time(demo_animation *animation, double seconds);
 
 #endif

@@ -2,7 +2,7 @@
 #include "camera_control.h"
 #include "vector.h"
 
-/* Nearer to a pole than this, the camera would turn over. */
+/* The largest latitude, in radians: closer to a pole, the camera would flip over. */
 static const double steepest = 85 * M_PI / 180;
 
 static void take_over(camera_control *control, const demo_scene *scene)
@@ -11,7 +11,7 @@ static void take_over(camera_control *control, const demo_scene *scene)
     control->is_free = true;
 }
 
-/* Right, up and forward: unit vectors, `up` across the view. */
+/* Unit vectors: right, up and forward as the camera sees them. */
 static void axes_of(const scene_camera *camera, double right[3], double up[3], double forward[3])
 {
     double towards[3];
@@ -30,7 +30,7 @@ static void rotate(const double axis[3], double angle, const double vector[3], d
         result[i] = cos(angle) * vector[i] + sin(angle) * across[i] + along * axis[i];
 }
 
-/* Turns `arm`, which lies along the view, about the camera's upright and then lifts it. */
+/* Turns `arm`, which lies along the view, about the camera's up vector, and then lifts it. */
 static void turn(const scene_camera *camera, double arm[3], double right_degrees, double up_degrees)
 {
     double upright[3], unit[3], right[3], turned[3];

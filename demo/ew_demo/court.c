@@ -22,7 +22,7 @@ static opaque_shape *add(shape_list *list, opaque_kind kind, const double color[
     return shape;
 }
 
-/* A box that stands with the middle of its bottom at (x, bottom, z). */
+/* A box. The middle of its bottom is at (x, bottom, z). */
 static void add_block(shape_list *list, double x, double bottom, double z, double half_side, double height,
                       const double color[3])
 {

@@ -20,7 +20,7 @@ struct demo_display {
     floor_reflection reflection;
     light_meter meter;
 
-    int width; /* of the picture; 0 while there is none */
+    int width; /* of the picture; 0 while there are no targets */
     int height;
     int samples_per_axis;
     GLuint opaque, depth, energy, measured, picture;
@@ -91,7 +91,7 @@ demo_display *display_create(const gl_functions *gl, const ew_effect_desc *desc,
     return NULL;
 }
 
-/* The court, with what its floor mirrors. */
+/* Draws the court, and what its floor reflects. */
 static ew_result draw_court(demo_display *display, const display_view *view, double sensitivity, ew_error *error)
 {
     render_settings settings = view->settings;
@@ -109,7 +109,7 @@ static ew_result draw_court(demo_display *display, const display_view *view, dou
     return EW_OK;
 }
 
-/* Makes of a frame the columns from `first` up to `end`: their part of the NDC square becomes the whole of it. */
+/* Reduces a frame to the columns from `first` to before `end`, by stretching their part of the NDC square over all of it. */
 static void crop(ew_frame_desc *frame, int first, int end)
 {
     double left = 2.0 * first / frame->viewport_width - 1, right = 2.0 * end / frame->viewport_width - 1;
@@ -121,7 +121,7 @@ static void crop(ew_frame_desc *frame, int first, int end)
     frame->viewport_width = end - first;
 }
 
-/* The columns of a half of the picture, in samples. Both are halves of the same whole where it is one pixel wide. */
+/* The columns of one half of the picture, in samples. A picture one pixel wide is not split: either half is all of it. */
 static void columns_of(const display_view *view, int half, int *first, int *end)
 {
     int middle = view->settings.width / 2 * view->samples_per_axis, width = view->settings.width * view->samples_per_axis;
@@ -130,7 +130,7 @@ static void columns_of(const display_view *view, int half, int *first, int *end)
     *end = is_split && !half ? middle : width;
 }
 
-/* The frame that draws a half of the picture in its own way. */
+/* The frame that draws one half of the picture by its own integrator. */
 static ew_frame_desc half_frame(const demo_display *display, const display_view *view, int half, GLuint framebuffer)
 {
     render_target target = {.depth = display->depth, .effect_framebuffer = framebuffer};
@@ -181,7 +181,7 @@ static ew_result count_evaluations(demo_display *display, const display_view *vi
     return result;
 }
 
-/* All of the view's mode: the opaque scene, whose depth everything else needs, comes first. */
+/* The opaque scene comes first, because everything else needs its depth. */
 static ew_result draw_all(demo_display *display, const display_view *view, ew_error *error)
 {
     double sensitivity = 1;

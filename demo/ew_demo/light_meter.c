@@ -11,10 +11,10 @@ static const double usual_mean = 0.5;
 /* Exposure follows the mean luminance only in part, so that a brighter scene still looks brighter: 0 not at all, 1 entirely. */
 static const double adaptation = 0.8;
 
-/* Luminances below this count as this: the logarithm of 0 is no number. */
+/* Darker pixels count as this, because the logarithm of 0 is infinite. */
 static const double darkest = 1e-3;
 
-/* Of the picture that is measured: small, but with so many pixels that one on a core does not decide the mean. */
+/* The size of the measured picture. It is small, but has enough pixels that one on a core does not decide the mean. */
 enum { WIDTH = 32, HEIGHT = 18 };
 
 bool light_meter_create(const gl_functions *gl, light_meter *meter, char *message, size_t size)
@@ -32,7 +32,7 @@ void light_meter_destroy(const gl_functions *gl, light_meter *meter)
     gl->DeleteTextures(1, &meter->texture);
 }
 
-/* The mean is that of the logarithm, to which the eye's response is closer than to the luminance. */
+/* The mean of the logarithm, because the eye's response is closer to logarithmic than to linear. */
 static double mean_luminance(const float *luminances, int count)
 {
     double sum = 0;

@@ -18,7 +18,7 @@ struct lit_opaque {
     GLuint program;
     opaque_buffers buffers;
     GLsizei shape_count;
-    float centers[COURT_MAX_SHAPES][4]; /* and a rounding radius */
+    float centers[COURT_MAX_SHAPES][4]; /* w: the rounding radius */
     float extents[COURT_MAX_SHAPES][4];
 };
 

@@ -1,5 +1,5 @@
 /*
- * ew-demo: energy waves that move, in a window or as pictures.
+ * ew-demo: moving energy waves, in a window or as pictures.
  */
 #include "message.h"
 #include "offscreen.h"

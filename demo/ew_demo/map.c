@@ -1,4 +1,4 @@
-/* Maps of the method: see map.h. */
+/* Maps in false colours: see map.h. */
 #include "map.h"
 #include "false_color.h"
 #include "texture.h"
@@ -20,7 +20,7 @@ static void *allocate(size_t bytes, ew_result *result, ew_error *error)
     return NULL;
 }
 
-/* One number for each pixel of the frame. */
+/* Draws another output of the frame, and reads it: one number a pixel. */
 static ew_result measure(const gl_functions *gl, ew_effect *effect, const ew_frame_desc *frame, ew_output output, float *values,
                          ew_error *error)
 {
@@ -33,8 +33,9 @@ static ew_result measure(const gl_functions *gl, ew_effect *effect, const ew_fra
     return EW_OK;
 }
 
-/* The luminance by the reference. On a part of the interval, from s0 to s1 of it, with s = s0 + (s1 - s0) s', the decay
- * alpha / (s + beta)^2 ds is alpha' / (s' + beta')^2 ds', with alpha' = alpha / (s1 - s0), beta' = (s0 + beta) / (s1 - s0). */
+/* The luminance of the reference is the sum over parts of the interval. On the part from s0 to s1, let s = s0 + (s1 - s0) s'.
+ * Then the decay alpha / (s + beta)^2 ds is alpha' / (s' + beta')^2 ds', with alpha' = alpha / (s1 - s0) and
+ * beta' = (s0 + beta) / (s1 - s0). */
 static ew_result measure_reference(const gl_functions *gl, ew_effect *effect, const ew_frame_desc *frame, float *scratch,
                                    double *sum, ew_error *error)
 {
@@ -57,7 +58,7 @@ static ew_result measure_reference(const gl_functions *gl, ew_effect *effect, co
     return EW_OK;
 }
 
-/* The errors of the frame's luminances, relative to max(truth, 1e-3 of the largest truth) as everywhere in the project. */
+/* Errors are relative to the true luminance or, where that is darker, to 1e-3 of the largest, as everywhere in the project. */
 static ew_result measure_errors(const gl_functions *gl, ew_effect *effect, const ew_frame_desc *frame, float *errors,
                                 ew_error *error)
 {

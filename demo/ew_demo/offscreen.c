@@ -11,7 +11,7 @@
 #include <stdlib.h>
 #include <unistd.h>
 
-/* A bar on the terminal, if there is one. */
+/* Draws a progress bar, if standard error is a terminal. */
 static void show_progress(int done, int total)
 {
     enum { WIDTH = 40 };
@@ -24,7 +24,7 @@ static void show_progress(int done, int total)
 static bool write_picture(const demo_options *options, int frame, const unsigned char *srgb, char *message, size_t size)
 {
     char name[4096];
-    /* The one conversion in it has been checked. */
+    /* options_read has checked that it has one conversion, of an integer. */
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wformat-nonliteral"
     int length = snprintf(name, sizeof name, options->output, frame);

@@ -16,20 +16,20 @@ static const char help[] =
     "      --size WxH          of the window or the pictures, in pixels (default 1280x720)\n"
     "      --integrator NAME   adaptive, or with its largest relative error as in adaptive:1e-2,\n"
     "                          adaptive:1e-3 (default), adaptive:1e-4; or simpson:N, N divisions\n"
-    "      --split NAME        integrate the right half of the picture so\n"
-    "      --show WHAT         picture (default), evaluations: how often each pixel's ray was evaluated; or error: against\n"
-    "                          Simpson's rule with 16384 divisions, which takes long\n"
+    "      --split NAME        integrator of the right half of the picture\n"
+    "      --show WHAT         picture (default); evaluations, how often each pixel's ray was evaluated; or error, compared\n"
+    "                          with Simpson's rule of 16384 divisions, which takes long\n"
     "      --samples N         N x N samples a pixel smooth the edges of shapes, 1 (default) to 4\n"
     "      --offscreen         write pictures or a video instead, without a window or a display\n"
-    "      --frames A-B        which frames, counted from 0; or one, A (default 0-299, a whole repetition)\n"
-    "      --fps N             frames in a second of the animation, 1 to 240 (default 30)\n"
+    "      --frames A-B        frames A to B, or only A; the first is 0 (default 0-299, a whole repetition)\n"
+    "      --fps N             frames per second of the animation, 1 to 240 (default 30)\n"
     "  -o, --output NAME       pictures (.png), the frame's number in place of %d: -o frames/%05d.png\n"
     "      --video FILE        a video of the frames, by ffmpeg: .mp4, .webm, ...\n"
     "      --backend NAME      of --offscreen: egl, osmesa or auto (default): EGL or else OSMesa\n"
     "  -h, --help              print this help\n"
     "      --version           print the version\n"
     "\n"
-    "A frame depends on nothing but its number, so that many machines can share the work: with Slurm, say,\n"
+    "A frame depends only on its number, so many machines can share the work; with Slurm, for example:\n"
     "    mkdir -p frames\n"
     "    sbatch --array=0-9 --wrap='ew-demo --offscreen -o frames/%05d.png \\\n"
     "        --frames $((SLURM_ARRAY_TASK_ID * 30))-$((SLURM_ARRAY_TASK_ID * 30 + 29))'\n"
@@ -80,7 +80,7 @@ static bool read_frames(const char *text, void *target)
            options->last_frame >= options->first_frame;
 }
 
-/* Whether `name` has exactly one conversion, of an integer, such as %d or %05d. */
+/* Whether `name` has exactly one conversion, and that of an integer, such as %d or %05d. */
 static bool has_one_number(const char *name)
 {
     const char *percent = strchr(name, '%');
@@ -89,17 +89,17 @@ static bool has_one_number(const char *name)
     return *conversion == 'd' && conversion - percent <= 3 && !strchr(conversion, '%');
 }
 
-/* The checks that need more than one option. */
+/* Checks what concerns more than one option. */
 static bool check(const demo_options *options, char *message, size_t size)
 {
     const char *output = options->output;
     bool several = options->last_frame > options->first_frame;
     if (!options->offscreen && (output || options->video))
-        message_write(message, size, "%s: is written without a window; add --offscreen", output ? output : options->video);
+        message_write(message, size, "%s: is only written without a window; add --offscreen", output ? output : options->video);
     else if (options->offscreen && !output && !options->video)
-        message_write(message, size, "--offscreen: no output is asked for; add -o frames/%%05d.png or --video demo.mp4");
+        message_write(message, size, "--offscreen: no output is requested; add -o frames/%%05d.png or --video demo.mp4");
     else if (output && image_format_of(output) != IMAGE_PNG)
-        message_write(message, size, "%s: is no picture's name; let it end in .png", output);
+        message_write(message, size, "%s: is not a picture's name; let it end in .png", output);
     else if (output && (several || strchr(output, '%')) && !has_one_number(output))
         message_write(message, size, "%s: needs one place for the frame's number, as in frames/%%05d.png", output);
     else

@@ -1,4 +1,4 @@
-/* What stands over the picture: see panel.h. */
+/* The panel over the picture: see panel.h. */
 #include "panel.h"
 #include "false_color.h"
 #include "integrator_name.h"
@@ -7,14 +7,14 @@
 #include <stdarg.h>
 #include <stdio.h>
 
-/* Columns of text: the font's letters are not all of one width. */
+/* Columns, because the font is proportional. */
 static const char *const key_columns[] = {
     "Space\n. ,\n[ ]\nR\nWASD\nQ E\nMouse\nWheel\nC\nH",
-    "pause\na frame on, back\nslower, faster\nfrom the beginning\nfly (Shift: faster)\ndown, up\n"
-    "left: orbit, right: look\nnearer, farther\nthe scene's own camera\nthese keys",
+    "pause\nnext, previous frame\nslower, faster\nrestart\nfly (Shift: faster)\ndown, up\n"
+    "left: orbit, right: look\ncloser, farther\nthe scene's own camera\nthis list",
     "1 2 3\n4 5 6\nShift+1-6\nTab\nM\nP\nV\nF11\nF12\nEsc",
     "adaptive, error 1e-2, 1e-3, 1e-4\nSimpson's rule, 64, 128, 256 divisions\nthe same for the right half\n"
-    "split the picture\nevaluations, errors, picture\nthis display\nwait for the monitor\nfull screen\nscreenshot\nquit",
+    "split the picture\nmap of evaluations, of errors, none\nthis panel\nvsync\nfull screen\nscreenshot\nquit",
 };
 enum { KEY_COLUMNS = sizeof key_columns / sizeof *key_columns };
 
@@ -45,7 +45,7 @@ static int line_count(const char *text)
     return count;
 }
 
-/* Text on a darkened box whose upper left corner is at x and y. */
+/* Text on a dark box, whose upper left corner is at (x, y). */
 static void draw_box(demo_overlay *overlay, double x, double y, double scale, const char *text, const unsigned char color[4])
 {
     double margin = 6 * scale;
@@ -72,7 +72,7 @@ static void describe_half(text_lines *lines, const panel_view *view, int half)
     char name[INTEGRATOR_NAME_SIZE];
     integrator_write_name(&view->integrators[half], name);
     add(lines, "%s%s", view->split ? half ? "right: " : "left: " : "", name);
-    if (statistics->map.mean_evaluations >= 0) add(lines, ", %.1f evaluations a pixel", statistics->map.mean_evaluations);
+    if (statistics->map.mean_evaluations >= 0) add(lines, ", %.1f evaluations per pixel", statistics->map.mean_evaluations);
     if (view->mode == DISPLAY_PICTURE && statistics->gpu_milliseconds >= 0)
         add(lines, ", GPU %.2f ms", statistics->gpu_milliseconds);
     if (view->mode == DISPLAY_ERROR)
@@ -87,13 +87,13 @@ static void describe(text_lines *lines, const panel_view *view)
     if (view->is_animated)
         add(lines, "   %.2f s, frame %.0f, speed x%g%s", view->seconds, floor(view->seconds * view->frames_per_second + 1e-6),
             view->time_scale, view->is_paused ? ", paused" : "");
-    add(lines, "\n%.1f ms a frame, %.0f a second\n", view->frame_milliseconds, 1000 / fmax(view->frame_milliseconds, 1e-3));
+    add(lines, "\n%.1f ms per frame, %.0f fps\n", view->frame_milliseconds, 1000 / fmax(view->frame_milliseconds, 1e-3));
     for (int half = 0; half < (view->split ? 2 : 1); half++)
         describe_half(lines, view, half);
     add(lines, "%s\nH: keys", view->gl_name);
 }
 
-/* The colours of a map, with what they mean at both ends. */
+/* The colours of a map, with the numbers at both ends. */
 static void draw_scale(demo_overlay *overlay, const panel_view *view, int width, int height, double scale)
 {
     enum { STEPS = 64 };
@@ -104,7 +104,7 @@ static void draw_scale(demo_overlay *overlay, const panel_view *view, int width,
         snprintf(text, sizeof text, "relative error, %g to %g, against Simpson's rule with %d divisions",
                  FALSE_COLOR_LEAST_ERROR, FALSE_COLOR_LARGEST_ERROR, MAP_REFERENCE_DIVISIONS);
     else
-        snprintf(text, sizeof text, "evaluations a pixel, %d to %d", 0, FALSE_COLOR_MOST_EVALUATIONS);
+        snprintf(text, sizeof text, "evaluations per pixel, %d to %d", 0, FALSE_COLOR_MOST_EVALUATIONS);
     double text_width = overlay_text_width(text, scale);
     draw_box(overlay, (width - text_width) / 2 - 6 * scale, y - OVERLAY_LINE * scale - 10 * scale, scale, text, white);
     for (int i = 0; i < STEPS; i++) {

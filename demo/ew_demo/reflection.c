@@ -1,4 +1,4 @@
-/* What the floor mirrors: see reflection.h. */
+/* What the floor reflects: see reflection.h. */
 #include "reflection.h"
 #include "texture.h"
 
@@ -38,7 +38,7 @@ ew_result reflection_draw(const gl_functions *gl, floor_reflection *reflection, 
     texture_clear(gl, reflection->energy_framebuffer);
     render_target target = {.depth = reflection->depth, .effect_framebuffer = reflection->energy_framebuffer};
     ew_frame_desc frame = render_frame(scene, &half, &target);
-    /* Mirrored at the floor, y = 0, before it is seen. */
+    /* Mirror the world in the floor, y = 0, before it is viewed. */
     for (int row = 0; row < 4; row++)
         frame.view[4 + row] = -frame.view[4 + row];
     ew_result result = ew_draw(effect, &frame, error);

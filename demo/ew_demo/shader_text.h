@@ -1,4 +1,4 @@
-/* The files of shaders/, embedded at build time: zero-terminated text. */
+/* The text of the files in shaders/, embedded at build time. */
 #ifndef SHADER_TEXT_H
 #define SHADER_TEXT_H
 

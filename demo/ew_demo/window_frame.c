@@ -10,7 +10,7 @@
 #include <stdlib.h>
 #include <unistd.h>
 
-/* A pixel of the map of errors covers a square of this many of the window's pixels across, because its reference is costly. */
+/* A pixel of the map of errors covers this many pixels of the window each way, because its reference is costly. */
 enum { ERROR_MAP_PIXEL = 8 };
 
 static const double look_seconds = 0.25;

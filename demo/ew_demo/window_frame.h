@@ -9,13 +9,13 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/* So long before the first frame that evaluations are counted in it. */
+/* Evaluations are counted anew after this time. */
 #define WINDOW_COUNT_SECONDS 0.5
 
-/* Moves everything on to the present: the animation, the flight, and the scene file. */
+/* Brings everything up to the present: the animation, the flight, and the scene file. */
 void window_advance(demo_window *window);
 
-/* Draws the picture and what stands over it into framebuffer 0, of the given size. On failure returns false, with a message. */
+/* Draws the picture and the panel into framebuffer 0, of the given size. On failure returns false, with a message. */
 bool window_draw(demo_window *window, int width, int height, char *message, size_t size);
 
 #endif

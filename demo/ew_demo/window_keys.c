@@ -8,7 +8,7 @@ static void toggle_pause(demo_window *window)
     window->is_paused = !window->is_paused;
 }
 
-/* Goes to another frame of a recording at this rate. */
+/* Goes to a frame that --offscreen would draw. */
 static void step(demo_window *window, int frames)
 {
     int fps = window->options->frames_per_second;
@@ -84,7 +84,7 @@ static void toggle_full_screen(demo_window *window)
     GLFWmonitor *monitor = glfwGetPrimaryMonitor();
     const GLFWvidmode *mode = monitor ? glfwGetVideoMode(monitor) : NULL;
     if (!mode) {
-        window_notify(window, "no monitor is known to fill");
+        window_notify(window, "no monitor was found");
         return;
     }
     glfwGetWindowPos(window->handle, &place[0], &place[1]);

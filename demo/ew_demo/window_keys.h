@@ -1,5 +1,5 @@
 /*
- * What the window's keys do, but for those that are held down to fly.
+ * What the window's keys do, except for those that fly.
  */
 #ifndef WINDOW_KEYS_H
 #define WINDOW_KEYS_H

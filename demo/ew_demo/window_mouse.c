@@ -35,7 +35,7 @@ void window_fly(demo_window *window, double seconds)
     double sight = 0, way[3];
     for (int i = 0; i < 3; i++)
         sight += (camera->target[i] - camera->eye[i]) * (camera->target[i] - camera->eye[i]);
-    /* In a second, some part of the distance to what the scene's camera looks at. */
+    /* World units per second: a part of the distance from the eye to the target of the scene's own camera. */
     double speed = sqrt(sight) * (is_down(window, GLFW_KEY_LEFT_SHIFT) ? 1.2 : 0.3);
     bool moves = false;
     for (int i = 0; i < 3; i++) {

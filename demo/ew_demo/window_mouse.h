@@ -1,5 +1,5 @@
 /*
- * The window's camera: the mouse, and the keys that are held down to fly.
+ * The window's camera: the mouse, and the keys that fly.
  */
 #ifndef WINDOW_MOUSE_H
 #define WINDOW_MOUSE_H

@@ -1,5 +1,5 @@
 /*
- * What the window knows, for the files that it is made of: window.c, window_frame.c, window_keys.c and window_mouse.c.
+ * The window's state, which window.c, window_frame.c, window_keys.c and window_mouse.c share.
  */
 #ifndef WINDOW_STATE_H
 #define WINDOW_STATE_H
@@ -41,7 +41,7 @@ typedef struct demo_window {
     double mean_evaluations[2];
     char notice[600];
     double notice_until;
-    bool wants_screenshot; /* of the next picture, to which all keys before have been applied */
+    bool wants_screenshot; /* of the next picture, which shows the effect of all keys so far */
 } demo_window;
 
 /* The scene of the file or of the animation, with its own camera. */

@@ -1,5 +1,5 @@
 /*
- * ew-render: a scene file becomes a picture.
+ * ew-render: renders a scene file to a picture.
  */
 #include "command_line.h"
 #include "context.h"
@@ -36,19 +36,20 @@ typedef struct command_line {
     context_backend backend;
 } command_line;
 
-/* The checks that need more than one option. */
+/* Checks what concerns more than one option. */
 static bool check_options(const command_line *options, char *message, size_t size)
 {
     if (!options->scene)
         message_write(message, size, "SCENE.json: is missing; name the scene file to render");
     else if (!options->output && !options->luminance)
-        message_write(message, size, "%s: no output is asked for; add -o picture.png", options->scene);
+        message_write(message, size, "%s: no output is requested; add -o picture.png", options->scene);
     else if (options->output && image_format_of(options->output) == IMAGE_UNKNOWN)
-        message_write(message, size, "%s: is of no known format; let its name end in .png, .hdr or .pfm", options->output);
+        message_write(message, size, "%s: has an unknown format; let its name end in .png, .hdr or .pfm", options->output);
     else if (options->luminance && image_format_of(options->luminance) != IMAGE_PFM)
-        message_write(message, size, "%s: a luminance is written as .pfm; let its name end so", options->luminance);
+        message_write(message, size, "%s: a luminance is written as .pfm; let its name end in .pfm", options->luminance);
     else if (options->output && options->luminance && strcmp(options->output, options->luminance) == 0)
-        message_write(message, size, "%s: is both the picture's and the luminance's name; give one another", options->output);
+        message_write(message, size, "%s: is the name of both the picture and the luminance; change one of them",
+                      options->output);
     else
         return true;
     return false;
@@ -76,7 +77,7 @@ static bool read_options(int argc, char **argv, command_line *options, char *mes
            check_options(options, message, size);
 }
 
-/* Draws the scene and prints which GL did. */
+/* Draws the scene, and prints the GL that did. */
 static bool render(const command_line *options, const demo_scene *scene, float *color, float *luminance, char *message,
                    size_t size)
 {

@@ -2,7 +2,7 @@
 #include "camera.h"
 #include "vector.h"
 
-/* Unit vectors of the camera in the world: right, up and backward, the rows of the view matrix's rotation. */
+/* The camera's right, up and backward as unit vectors in the world: the rows of the view matrix's rotation. */
 static void axes(const scene_camera *camera, double result[3][3])
 {
     double backward[3], up[3], right[3];

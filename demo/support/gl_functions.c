@@ -1,4 +1,4 @@
-/* The GL functions that the demo calls: see gl_functions.h. */
+/* Loading GL functions: see gl_functions.h. */
 #include "gl_functions.h"
 
 const char *gl_load_functions(gl_functions *gl, void (*(*get_proc_address)(void *user, const char *name))(void), void *user)

@@ -1,7 +1,7 @@
 /*
- * The GL functions that the demo calls, each loaded from the context that they are for. A program that holds an EGL and an
- * OSMesa context at once can share neither the linker's idea of `glClear` nor that of a loader such as libepoxy, which
- * resolves a name once for the whole process: the two contexts' functions come from different libraries.
+ * The GL functions that the programs call, loaded for each context. Neither the linker nor a loader such as libepoxy would do:
+ * they resolve a name once for the whole process, but the functions of an EGL and an OSMesa context come from different
+ * libraries.
  */
 #ifndef GL_FUNCTIONS_H
 #define GL_FUNCTIONS_H
@@ -79,7 +79,7 @@ typedef struct gl_functions {
 #undef GL_MEMBER
 } gl_functions;
 
-/* Loads all of them by `get_proc_address`, which is handed `user`. Returns the name of one that is missing, or NULL. */
+/* Loads all of them with `get_proc_address`, to which `user` is passed. Returns the name of one that is missing, or NULL. */
 const char *gl_load_functions(gl_functions *gl, void (*(*get_proc_address)(void *user, const char *name))(void), void *user);
 
 #endif

@@ -15,7 +15,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-/* The largest number of RGBE, whose exponent is one byte. */
+/* The largest number that RGBE can hold: its exponent is one byte. */
 static const float largest_rgbe = 1.69e38f;
 
 image_format image_format_of(const char *path)
@@ -27,7 +27,7 @@ image_format image_format_of(const char *path)
     return IMAGE_UNKNOWN;
 }
 
-/* IEC 61966-2-1. */
+/* The transfer function of sRGB, by IEC 61966-2-1. */
 static unsigned char encode_srgb(float linear)
 {
     float clipped = fminf(fmaxf(linear, 0), 1);
@@ -35,7 +35,7 @@ static unsigned char encode_srgb(float linear)
     return (unsigned char)(255 * encoded + 0.5f);
 }
 
-/* Rows count from the top, as PNG and RGBE have them. */
+/* The index of a pixel whose row counts from the top, as in PNG and RGBE. */
 static size_t pixel_from_top(const image_pixels *image, int row, int column)
 {
     return (size_t)(image->height - 1 - row) * (size_t)image->width + (size_t)column;
@@ -91,7 +91,7 @@ static bool write_pfm(const image_pixels *image, FILE *file)
     return true;
 }
 
-/* False, with errno, where it does not fit onto the disk or into memory. */
+/* Returns false and sets errno where the picture does not fit on the disk or in memory. */
 static bool write_image(image_format format, const image_pixels *image, FILE *file)
 {
     bool ok = format == IMAGE_PNG   ? write_png(image, file)
@@ -112,7 +112,7 @@ bool image_write(const char *path, const image_pixels *image, char *message, siz
         descriptor = mkstemp(temporary);
     }
     if (descriptor >= 0) {
-        /* mkstemp's files are private; this one shall have the permissions of any other new file. */
+        /* mkstemp makes private files; give this one the permissions of any other new file. */
         mode_t mask = umask(0);
         umask(mask);
         FILE *file = fchmod(descriptor, 0666 & ~mask) == 0 ? fdopen(descriptor, "wb") : NULL;

@@ -7,12 +7,12 @@
 #include <stdio.h>
 #include <string.h>
 
-/* Its square is finite in single precision. */
+/* The square of this is finite in single precision. */
 static const double largest_number = 1e18;
 
 /* ---- Messages ----------------------------------------------------------------------------------------------------------- */
 
-/* Appends "curves[1].weights[3]" to `text`, whose end is at `length`; returns the new end. */
+/* Appends a place, such as "curves[1].weights[3]", to `text`, which is `length` long; returns the new length. */
 static size_t append_place(const json_place *at, char *text, size_t size, size_t length)
 {
     if (!at->parent) return length;
@@ -57,7 +57,6 @@ const char *reader_type_text(const json_value *value)
 
 /* ---- Values ------------------------------------------------------------------------------------------------------------- */
 
-/* The object's member; absent, and a fault if it is required, where there is none. */
 json_value reader_member(json_reader *r, const json_value *object, const char *key, json_presence presence)
 {
     json_value result = {json_object_get(object->json, key), {&object->at, key, 0}};
@@ -77,7 +76,6 @@ bool reader_check_object(json_reader *r, const json_value *object)
     return false;
 }
 
-/* A fault unless the value is an object with no keys but the given ones, up to a NULL. */
 void reader_check_keys(json_reader *r, const json_value *object, const char *const *keys)
 {
     if (!reader_check_object(r, object)) return;
@@ -136,8 +134,6 @@ static void read_vector(json_reader *r, const json_value *vector, json_range ran
     }
 }
 
-/* The members of an object; those that are optional and absent leave `result` as it is. */
-
 void reader_number_member(json_reader *r, const json_value *object, const char *key, json_presence presence, json_range range,
                           double *result)
 {
@@ -152,7 +148,6 @@ void reader_vector_member(json_reader *r, const json_value *object, const char *
     if (vector.json) read_vector(r, &vector, range, result);
 }
 
-/* A required vector with a direction. */
 void reader_direction_member(json_reader *r, const json_value *object, const char *key, double result[3])
 {
     json_value vector = reader_member(r, object, key, REQUIRED);
@@ -176,7 +171,6 @@ void reader_matrix_member(json_reader *r, const json_value *object, const char *
     }
 }
 
-/* The index of the member's text among `words`, which end with a NULL; 0 where it is absent or wrong. */
 int reader_word_member(json_reader *r, const json_value *object, const char *key, json_presence presence,
                        const char *const *words)
 {
@@ -194,7 +188,6 @@ int reader_word_member(json_reader *r, const json_value *object, const char *key
     return 0;
 }
 
-/* Reads a list's elements of `element_size` bytes by `read`, which finds them zeroed; owned by the caller, faults or not. */
 void *reader_list_member(json_reader *r, const json_value *object, const char *key, size_t limit, size_t element_size,
                          reader_read_element *read, size_t *count)
 {

@@ -1,12 +1,12 @@
 /*
- * The texts of errors: one line each, whatever bytes a file's name or content brought into them.
+ * The texts of errors. Each is one line, even if the name or the content of a file brings control characters into it.
  */
 #ifndef MESSAGE_H
 #define MESSAGE_H
 
 #include <stddef.h>
 
-/* Writes a text as snprintf does, with control characters (a newline in a file's name, say) made '?'. */
+/* Writes a text as snprintf does, and replaces control characters by '?'. */
 __attribute__((format(printf, 3, 4))) void message_write(char *message, size_t size, const char *format, ...);
 
 #endif

@@ -83,7 +83,7 @@ void opaque_clear(const gl_functions *gl, const demo_scene *scene)
     gl->ClearBufferfv(GL_DEPTH, 0, &farthest);
 }
 
-/* All in view space, to which the vertices are brought in double precision. */
+/* Vertices arrive in view space: they are transformed in double precision on the CPU. */
 static const char vertex_shader[] = "#version 330 core\n"
                                     "uniform mat4 projection;\n"
                                     "layout(location = 0) in vec3 position;\n"
@@ -99,8 +99,8 @@ static const char vertex_shader[] = "#version 330 core\n"
                                     "    gl_Position = projection * vec4(position, 1.0);\n"
                                     "}\n";
 
-/* A key light over the camera's left shoulder, a dim sky over a darker ground, and a haze of the background's colour that
- * has swallowed everything where the far plane cuts it off. */
+/* A key light over the camera's left shoulder, and a dim sky over a darker ground. Haze of the background's colour hides
+ * everything at the far plane, so that shapes do not end there visibly. */
 static const char fragment_shader[] = "#version 330 core\n"
                                       "uniform vec3 up;\n"
                                       "uniform vec3 background;\n"

@@ -17,16 +17,16 @@ typedef struct opaque_buffers {
     GLsizei index_count;
 } opaque_buffers;
 
-/* Uploads the mesh, in the view space of `camera`, or in the world where that is NULL. Returns false where memory is exhausted.
+/* Uploads the mesh in the view space of `camera`, or in world space if that is NULL. Returns false where memory is exhausted.
  */
 bool opaque_upload(const gl_functions *gl, const opaque_mesh *mesh, const scene_camera *camera, opaque_buffers *buffers);
 
-/* Draws the triangles with the program in use. */
+/* Draws the triangles with the current program and a depth test. */
 void opaque_draw_buffers(const gl_functions *gl, const opaque_buffers *buffers);
 
 void opaque_delete_buffers(const gl_functions *gl, opaque_buffers *buffers);
 
-/* Clears the bound framebuffer's colour to the background, linear RGB, and its depth. */
+/* Clears the bound framebuffer's colour, which is linear, to the background, and its depth to the far plane. */
 void opaque_clear(const gl_functions *gl, const demo_scene *scene);
 
 /* Clears the bound framebuffer, and draws the shapes into it. Expects GL's initial state, and changes nothing of it but the

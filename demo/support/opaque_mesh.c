@@ -4,11 +4,11 @@
 
 #include <stdlib.h>
 
-/* So many that a silhouette is nowhere farther than 0.0006 radii from the sphere. */
+/* With these, the silhouette is within 0.0006 radii of the sphere's. */
 enum { SPHERE_ROWS = 48, SPHERE_COLUMNS = 96 };
 
-/* A plane is squares about the point below the eye, each a quarter of the one around it, so that the vertices near the eye
- * are near each other, and rounding to floats does no harm there. */
+/* A plane is nested squares around the point below the eye, the sides of each a quarter of those of the next. So the vertices
+ * near the eye are close together, and rounding them to floats does no harm. */
 enum { PLANE_SQUARES = 16 };
 
 typedef struct mesh_size {
@@ -65,7 +65,7 @@ static void add_box(opaque_mesh *mesh, const opaque_shape *box)
                 bool right = corner == 1 || corner == 2, top = corner >= 2;
                 double position[3];
                 position[axis] = ends[end][axis];
-                /* Seen against the axis, u and v change places, and the turn with them. */
+                /* The face at the lower end is seen from the other side, so u and v are swapped. */
                 position[end ? u : v] = ends[right][end ? u : v];
                 position[end ? v : u] = ends[top][end ? v : u];
                 corners[corner] = add_vertex(mesh, box, position, normal);
@@ -94,7 +94,7 @@ static void add_sphere(opaque_mesh *mesh, const opaque_shape *sphere)
     }
 }
 
-/* How far from the eye anything can be seen. */
+/* The largest distance from the eye at which something is visible. */
 static double sight(const scene_camera *camera)
 {
     const double aspect = 4;

@@ -10,12 +10,12 @@
 #include <stddef.h>
 
 typedef struct opaque_vertex {
-    double position[3]; /* in the world */
-    double normal[3];   /* unit, out of the shape */
+    double position[3]; /* in world space */
+    double normal[3];   /* unit vector, outward */
     double color[3];    /* linear RGB */
 } opaque_vertex;
 
-/* Triangles are counterclockwise where seen from outside. All are there, the hidden ones too: depth test them. */
+/* Triangles are counterclockwise as seen from outside. Hidden ones are included. */
 typedef struct opaque_mesh {
     opaque_vertex *vertices;
     size_t vertex_count;
@@ -23,8 +23,9 @@ typedef struct opaque_mesh {
     size_t triangle_count;
 } opaque_mesh;
 
-/* Makes the triangles of all opaque shapes. A sphere's vertices lie on it. A plane ends where the camera's far plane hides
- * that, for pictures up to 4 times as wide as high. Returns false, and nothing to free, where memory is exhausted. */
+/* Makes the triangles of all opaque shapes. A sphere's vertices lie on it. A plane ends beyond the camera's far plane, where
+ * that is not visible in pictures up to 4 times as wide as high. Returns false, with nothing to free, where memory is
+ * exhausted. */
 bool opaque_make_mesh(const demo_scene *scene, opaque_mesh *mesh);
 
 void opaque_free_mesh(opaque_mesh *mesh);

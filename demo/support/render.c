@@ -1,4 +1,4 @@
-/* A scene file's picture: see render.h. */
+/* Renders a scene: see render.h. */
 #include "render.h"
 #include "camera.h"
 #include "message.h"

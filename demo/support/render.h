@@ -1,6 +1,6 @@
 /*
- * A scene file's picture: the opaque shapes, and the effect over them as a game would draw it. The parts are here too, for
- * programs that draw the effect more than once.
+ * Renders a scene to pixels in memory: the opaque shapes, and the effect over them, as a game would draw it. Programs that draw
+ * the effect more than once call the steps.
  */
 #ifndef RENDER_H
 #define RENDER_H
@@ -18,11 +18,11 @@ typedef struct render_settings {
     int width; /* 1 .. RENDER_MAX_SIDE */
     int height;
     ew_integrator integrator;
-    ew_quality quality;    /* of EW_INTEGRATOR_ADAPTIVE */
-    int simpson_divisions; /* of EW_INTEGRATOR_SIMPSON */
+    ew_quality quality;    /* for EW_INTEGRATOR_ADAPTIVE */
+    int simpson_divisions; /* for EW_INTEGRATOR_SIMPSON */
 } render_settings;
 
-/* Where a picture comes to be. The effect reads the depth texture, so its framebuffers have none attached. */
+/* What a picture is drawn to. The effect reads the depth texture, so its framebuffers do not have it attached. */
 typedef struct render_target {
     GLuint color;                 /* RGBA32F, linear */
     GLuint depth;                 /* DEPTH_COMPONENT32F */
@@ -32,7 +32,7 @@ typedef struct render_target {
     GLuint luminance_framebuffer; /* luminance */
 } render_target;
 
-/* Makes a target of the settings' size. On failure returns false, with a message and nothing to destroy. */
+/* Creates a target of the settings' size. On failure returns false, with a message and nothing to destroy. */
 bool render_create_target(const gl_functions *gl, const render_settings *settings, render_target *target, char *message,
                           size_t size);
 
@@ -45,8 +45,8 @@ bool render_opaque(const gl_functions *gl, const demo_scene *scene, const render
 /* The frame that draws the scene's effect onto the target's colour. */
 ew_frame_desc render_frame(const demo_scene *scene, const render_settings *settings, const render_target *target);
 
-/* Draws the scene on `context`. `color` receives 4 floats a pixel, linear RGB and opacity; `luminance`, B: one float a pixel.
- * Rows from the bottom up; either may be NULL. On failure returns false, with a message: "place: what to mend". */
+/* Draws the scene on `context`. `color` receives 4 floats a pixel: linear RGB and opacity. `luminance` receives 1 float a
+ * pixel: B. Rows go from the bottom up. Either may be NULL. On failure returns false, with a message: "place: what to mend". */
 bool render_scene(gl_context *context, const demo_scene *scene, const render_settings *settings, float *color, float *luminance,
                   char *message, size_t size);
 

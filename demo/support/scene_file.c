@@ -13,7 +13,7 @@ enum { MAX_FILE_BYTES = 64 << 20 };
 
 /* ---- Sources ------------------------------------------------------------------------------------------------------------ */
 
-/* The reader's context is the default colour. */
+/* What all kinds have in common. The reader's context is the default colour. */
 static void read_light(json_reader *r, const json_value *source, double *coefficient, double color[3])
 {
     *coefficient = 1;
@@ -116,7 +116,7 @@ static void read_curves(json_reader *r, const json_value *root, ew_sources_desc 
     sources->curves = reader_list_member(r, root, "curves", EW_MAX_CURVES, sizeof(ew_curve), read_curve, &sources->curve_count);
 }
 
-/* The kinds of sources, by the keys of their lists. */
+/* One row a kind of source: the key of its list, and the function that reads the list. */
 static const struct {
     const char *key;
     void (*read)(json_reader *r, const json_value *root, ew_sources_desc *sources);
@@ -226,7 +226,7 @@ static void read_interval(json_reader *r, const json_value *root, demo_scene *sc
     if (!(scene->interval_end > scene->interval_start))
         reader_fail(r, &end_place, "must be more than start, which is %g, but is %g", scene->interval_start,
                     scene->interval_end);
-    /* What is beyond the far plane is cut off, as if an opaque wall stood there. */
+    /* The far plane acts as an opaque wall: no light would come from beyond it. */
     if (scene->interval_end > scene->camera.far_depth)
         reader_fail(r, &end_place, "must not be beyond the camera's far plane at %g, but is %g", scene->camera.far_depth,
                     scene->interval_end);
@@ -294,7 +294,7 @@ bool scene_parse(const char *text, size_t length, const char *name, demo_scene *
 {
     *scene = (demo_scene){0};
     json_error_t error;
-    /* Integers are read as reals, so that large ones are as good as any other number. */
+    /* Integers are read as reals, because large ones would not fit into an integer. */
     json_t *json = json_loadb(text, length, JSON_REJECT_DUPLICATES | JSON_DECODE_INT_AS_REAL, &error);
     if (!json) {
         message_write(message, size, "%s: line %d, column %d: %s; mend the JSON there", name, error.line, error.column,
@@ -313,7 +313,7 @@ bool scene_parse(const char *text, size_t length, const char *name, demo_scene *
     return r.ok;
 }
 
-/* The file's bytes, to be freed by the caller; NULL with a message. */
+/* Returns the bytes of the file, which the caller frees; NULL, with a message, on failure. */
 static char *read_file(const char *path, size_t *length, char *message, size_t size)
 {
     FILE *file = fopen(path, "rb");

@@ -24,7 +24,7 @@ refuses '--samples: must be a number from 1 to 4' --samples 5
 refuses '--frames: must be two frame numbers' --offscreen --frames 5-3 -o %d.png
 refuses '--frames: must be two frame numbers' --offscreen --frames -3 -o %d.png
 refuses '--fps: must be a number from 1 to 240' --offscreen --fps 0 -o %d.png
-refuses '--offscreen: no output is asked for' --offscreen
+refuses '--offscreen: no output is requested' --offscreen
 refuses 'add --offscreen' -o frame%d.png
 refuses 'add --offscreen' --video demo.mp4
 refuses 'let it end in .png' --offscreen -o frame%d.jpg
