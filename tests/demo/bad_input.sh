@@ -1,5 +1,5 @@
 #!/bin/sh
-# What ew-demo says to bad input: one line that names the option and what to mend, exit status 2, and nothing written.
+# On bad input ew-demo says on one line which option to mend and how, exits with status 2, and writes nothing.
 # Usage: bad_input.sh EW_DEMO EW_RENDER SCENES VERSION
 ew_demo=$1
 . "$(dirname "$0")/../checks.sh"

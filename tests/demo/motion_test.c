@@ -1,4 +1,4 @@
-/* The demo's animation has no jump at any time, its camera none under the hand; both without a window. */
+/* Neither the demo's animation nor a camera that the user moves ever jumps. */
 #include "../unit/check.h"
 #include "animation.h"
 #include "camera_control.h"
@@ -13,7 +13,7 @@ static double distance(const double a[3], const double b[3])
     return vector_length(difference);
 }
 
-/* How far the light of a curve changes: its coefficient times its weights; and, as long as it has any, its place. */
+/* How much a curve changes: in its light, the coefficient times the weights; and while it has light, in its position. */
 static double curve_change(const ew_curve *a, const ew_curve *b)
 {
     double change = 0;
