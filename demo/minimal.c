@@ -1,4 +1,4 @@
-/* A complete host: pillars drawn to GLFW's window with depth, and light among them. Escape ends it. */
+/* A complete host: draws pillars to a GLFW window, and light among them that the pillars hide. Escape ends it. */
 #define GL_GLEXT_PROTOTYPES
 #define GLFW_INCLUDE_GLCOREARB
 #include <energywave.h>

@@ -7,17 +7,20 @@ static const double teal[3] = {0.10, 0.75, 1.0};
 static const double amber[3] = {1.0, 0.30, 0.03};
 static const double rose[3] = {1.0, 0.08, 0.24};
 
-/* When, in each repetition, the orb fires, and how long it glows after. */
-static const double fire_second = 5, bolt_seconds = 3, ring_seconds = 3.4;
+/* When the orb fires, in seconds from the beginning of each repetition. */
+static const double fire_second = 5;
 
-/* 0 up to `from`, 1 from `to` on, and smooth between. */
+/* How long the bolt and the ring last. */
+static const double bolt_seconds = 3, ring_seconds = 3.4;
+
+/* 0 up to `from`, 1 from `to` on, and smooth in between. */
 static double ramp(double from, double to, double x)
 {
     double t = fmin(fmax((x - from) / (to - from), 0), 1);
     return t * t * (3 - 2 * t);
 }
 
-/* A sine that makes `turns` whole turns in a repetition. */
+/* A sine with `turns` whole periods in a repetition. */
 static double wave(double seconds, int turns, double phase)
 {
     return sin(2 * M_PI * (turns * seconds / ANIMATION_SECONDS + phase));
@@ -32,7 +35,7 @@ static void set_bezier(ew_curve *curve, const double start[3], const double midd
     ew_bezier_polynomial(points, curve->polynomial);
 }
 
-/* How far the orb is charged, 0 .. 1: slowly up, and out within a second of the shot. */
+/* The orb's charge, from 0 to 1. It rises slowly, and is gone within a second of the shot. */
 static double charge(double seconds)
 {
     double up = ramp(0, fire_second, seconds);
@@ -45,7 +48,8 @@ static void set_orb(demo_animation *a, double seconds)
     a->orb.coefficient = 2.2 + 4.2 * charge(seconds) + 2.5 * flash;
 }
 
-/* Pulses (thesis (5.1)) run from the emitter to the orb, one every 2.5 seconds, over a glow that never quite goes out. */
+/* A pulse by equation (5.1) of the thesis runs from the emitter to the orb every 2.5 seconds. Between pulses some glow remains.
+ */
 static void set_beam(demo_animation *a, int beam, double seconds)
 {
     const double *from = court_emitters[beam];
@@ -63,7 +67,7 @@ static void set_beam(demo_animation *a, int beam, double seconds)
         weights[i] = 0.3 + 0.9 * weights[i];
 }
 
-/* Shot from the orb towards a place that it sweeps along; its middle still points to where it aimed a moment ago. */
+/* Where the bolt's end is when it reaches `reach` far. It sweeps along as it is shot. */
 static void aim(double seconds, double reach, double result[3])
 {
     double angle = M_PI * (-0.22 + 0.52 * ramp(0, 2.6, seconds));
@@ -78,13 +82,14 @@ static void set_bolt(demo_animation *a, double seconds)
     double reach = 0.3 + 13.5 * ramp(-0.2, 0.35, since);
     double middle[3], end[3];
     aim(since, reach, end);
+    /* The middle lags behind the end, which bends the bolt. */
     aim(since - 0.45, 0.5 * reach, middle);
     middle[1] += 3.0;
     ew_curve *curve = &a->curves[ANIMATION_BOLT];
     set_bezier(curve, court_orb, middle, end);
     curve->coefficient = 5.2 * ramp(0, 0.25, since) * (1 - ramp(bolt_seconds - 1.1, bolt_seconds, since));
     double *weights = a->weights[ANIMATION_BOLT];
-    /* So fast that the next pulse starts before the last has arrived. */
+    /* The next pulse starts before the last one arrives, so two overlap. */
     double pulse[ANIMATION_WEIGHTS], period = 0.75;
     ew_fill_pulse_weights(110 * fmod(since, period), pulse, ANIMATION_WEIGHTS);
     ew_fill_pulse_weights(110 * (fmod(since, period) + period), weights, ANIMATION_WEIGHTS);
@@ -100,7 +105,7 @@ static void set_ring(demo_animation *a, double seconds)
     a->ring.coefficient = 1.6 * ramp(0, 0.5, since) * left;
 }
 
-/* Thrown, it turns about its middle while it flies round the steps. */
+/* The blade was thrown: it spins about its middle while it flies around the steps. */
 static void set_blade(demo_animation *a, double seconds)
 {
     double round = 2 * M_PI * (seconds / ANIMATION_SECONDS + 0.08), turn = 2 * M_PI * 5 * seconds / ANIMATION_SECONDS;
@@ -113,7 +118,7 @@ static void set_blade(demo_animation *a, double seconds)
     set_bezier(&a->curves[ANIMATION_BLADE], hilt, middle, tip);
 }
 
-static void set_camera(ew_scene_camera *camera, double seconds)
+static void set_camera(scene_camera *camera, double seconds)
 {
     double angle = 0.24 + 0.17 * wave(seconds, 1, 0), distance = 16.4 + 0.8 * wave(seconds, 1, 0.2);
     vector_copy((double[3]){distance * sin(angle), 3.4 + 0.7 * wave(seconds, 1, 0.35), distance * cos(angle)}, camera->eye);

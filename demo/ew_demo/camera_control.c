@@ -2,17 +2,17 @@
 #include "camera_control.h"
 #include "vector.h"
 
-/* Nearer to a pole than this, the camera would turn over. */
+/* The largest latitude, in radians: closer to a pole, the camera would flip over. */
 static const double steepest = 85 * M_PI / 180;
 
-static void take_over(camera_control *control, const ew_scene *scene)
+static void take_over(camera_control *control, const demo_scene *scene)
 {
     if (!control->is_free) control->camera = scene->camera;
     control->is_free = true;
 }
 
-/* Right, up and forward: unit vectors, `up` across the view. */
-static void axes_of(const ew_scene_camera *camera, double right[3], double up[3], double forward[3])
+/* Unit vectors: right, up and forward as the camera sees them. */
+static void axes_of(const scene_camera *camera, double right[3], double up[3], double forward[3])
 {
     double towards[3];
     vector_subtract(camera->target, camera->eye, towards);
@@ -30,8 +30,8 @@ static void rotate(const double axis[3], double angle, const double vector[3], d
         result[i] = cos(angle) * vector[i] + sin(angle) * across[i] + along * axis[i];
 }
 
-/* Turns `arm`, which lies along the view, about the camera's upright and then lifts it. */
-static void turn(const ew_scene_camera *camera, double arm[3], double right_degrees, double up_degrees)
+/* Turns `arm`, which lies along the view, about the camera's up vector, and then lifts it. */
+static void turn(const scene_camera *camera, double arm[3], double right_degrees, double up_degrees)
 {
     double upright[3], unit[3], right[3], turned[3];
     vector_normalize(camera->up, upright);
@@ -44,30 +44,30 @@ static void turn(const ew_scene_camera *camera, double arm[3], double right_degr
     rotate(right, lift, turned, arm);
 }
 
-void camera_control_orbit(camera_control *control, const ew_scene *scene, double right, double up)
+void camera_control_orbit(camera_control *control, const demo_scene *scene, double right, double up)
 {
     take_over(control, scene);
-    ew_scene_camera *camera = &control->camera;
+    scene_camera *camera = &control->camera;
     double arm[3];
     vector_subtract(camera->eye, camera->target, arm);
     turn(camera, arm, right, up);
     vector_add_scaled(camera->target, 1, arm, camera->eye);
 }
 
-void camera_control_look(camera_control *control, const ew_scene *scene, double right, double up)
+void camera_control_look(camera_control *control, const demo_scene *scene, double right, double up)
 {
     take_over(control, scene);
-    ew_scene_camera *camera = &control->camera;
+    scene_camera *camera = &control->camera;
     double arm[3];
     vector_subtract(camera->target, camera->eye, arm);
     turn(camera, arm, -right, up);
     vector_add_scaled(camera->eye, 1, arm, camera->target);
 }
 
-void camera_control_fly(camera_control *control, const ew_scene *scene, const double distance[3])
+void camera_control_fly(camera_control *control, const demo_scene *scene, const double distance[3])
 {
     take_over(control, scene);
-    ew_scene_camera *camera = &control->camera;
+    scene_camera *camera = &control->camera;
     double axes[3][3];
     axes_of(camera, axes[0], axes[1], axes[2]);
     for (int i = 0; i < 3; i++) {
@@ -76,26 +76,26 @@ void camera_control_fly(camera_control *control, const ew_scene *scene, const do
     }
 }
 
-void camera_control_approach(camera_control *control, const ew_scene *scene, double nearness)
+void camera_control_approach(camera_control *control, const demo_scene *scene, double nearness)
 {
     take_over(control, scene);
-    ew_scene_camera *camera = &control->camera;
+    scene_camera *camera = &control->camera;
     double arm[3];
     vector_subtract(camera->eye, camera->target, arm);
     vector_add_scaled(camera->target, 1 / nearness, arm, camera->eye);
     camera->height /= nearness;
 }
 
-static double distance_to_target(const ew_scene_camera *camera)
+static double distance_to_target(const scene_camera *camera)
 {
     double arm[3];
     vector_subtract(camera->eye, camera->target, arm);
     return vector_length(arm);
 }
 
-ew_scene camera_control_scene(const camera_control *control, const ew_scene *scene, bool interval_follows)
+demo_scene camera_control_scene(const camera_control *control, const demo_scene *scene, bool interval_follows)
 {
-    ew_scene seen = *scene;
+    demo_scene seen = *scene;
     if (!control->is_free) return seen;
     seen.camera = control->camera;
     if (!interval_follows) return seen;

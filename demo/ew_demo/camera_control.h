@@ -1,34 +1,35 @@
 /*
- * The camera in the user's hands: around what it looks at, or anywhere. No window is known here.
+ * The camera as the user moves it: around its target, or anywhere. This knows of no window.
  */
 #ifndef CAMERA_CONTROL_H
 #define CAMERA_CONTROL_H
 
-#include "scene_file.h"
+#include "scene.h"
 
 #include <stdbool.h>
 
 typedef struct camera_control {
-    bool is_free; /* from the first movement on; until then the scene's own camera counts */
-    ew_scene_camera camera;
+    bool is_free; /* true from the first movement on; until then the scene's own camera is used */
+    scene_camera camera;
 } camera_control;
 
-/* Each takes the camera over from `scene`, unless it is free already, and moves it. Angles are in degrees. */
+/* The first four functions move the camera. One that is not free yet starts from the camera of `scene`. Angles are in degrees.
+ */
 
-/* The eye goes round the target: to the right, and up, short of the poles. */
-void camera_control_orbit(camera_control *control, const ew_scene *scene, double right, double up);
+/* Moves the eye around the target, to the right and up, but not over the poles. */
+void camera_control_orbit(camera_control *control, const demo_scene *scene, double right, double up);
 
-/* The target goes round the eye. */
-void camera_control_look(camera_control *control, const ew_scene *scene, double right, double up);
+/* Moves the target around the eye. */
+void camera_control_look(camera_control *control, const demo_scene *scene, double right, double up);
 
-/* Both go along the camera's own right, up and forward, in world units. */
-void camera_control_fly(camera_control *control, const ew_scene *scene, const double distance[3]);
+/* Moves both along the camera's right, up and forward, in world units. */
+void camera_control_fly(camera_control *control, const demo_scene *scene, const double distance[3]);
 
-/* The eye comes nearer to the target, by the factor `nearness`, > 0; an orthographic camera sees so much less. */
-void camera_control_approach(camera_control *control, const ew_scene *scene, double nearness);
+/* Divides the distance from the eye to the target, and the height of an orthographic picture, by `nearness`, which is > 0. */
+void camera_control_approach(camera_control *control, const demo_scene *scene, double nearness);
 
-/* The scene as the free camera sees it. The copy shares everything with `scene`. The interval of a scene file is laid around
- * what its camera looks at; so it moves with that if `interval_follows`. */
-ew_scene camera_control_scene(const camera_control *control, const ew_scene *scene, bool interval_follows);
+/* The scene as the free camera sees it. The copy shares all lists with `scene`. With `interval_follows`, the interval moves by
+ * as much as the target's distance changes, because scene files place it around the target. */
+demo_scene camera_control_scene(const camera_control *control, const demo_scene *scene, bool interval_follows);
 
 #endif

@@ -10,30 +10,30 @@ static const double dark_stone[3] = {0.10, 0.105, 0.12};
 static const double metal[3] = {0.10, 0.105, 0.12};
 
 typedef struct shape_list {
-    ew_opaque *shapes;
+    opaque_shape *shapes;
     size_t count;
 } shape_list;
 
-static ew_opaque *add(shape_list *list, ew_opaque_kind kind, const double color[3])
+static opaque_shape *add(shape_list *list, opaque_kind kind, const double color[3])
 {
-    ew_opaque *shape = &list->shapes[list->count++];
-    *shape = (ew_opaque){.kind = kind};
+    opaque_shape *shape = &list->shapes[list->count++];
+    *shape = (opaque_shape){.kind = kind};
     vector_copy(color, shape->color);
     return shape;
 }
 
-/* A box that stands with the middle of its bottom at (x, bottom, z). */
+/* A box. The middle of its bottom is at (x, bottom, z). */
 static void add_block(shape_list *list, double x, double bottom, double z, double half_side, double height,
                       const double color[3])
 {
-    ew_opaque *box = add(list, EW_OPAQUE_BOX, color);
+    opaque_shape *box = add(list, OPAQUE_BOX, color);
     vector_copy((double[3]){x - half_side, bottom, z - half_side}, box->shape.box.min);
     vector_copy((double[3]){x + half_side, bottom + height, z + half_side}, box->shape.box.max);
 }
 
 static void add_ball(shape_list *list, double x, double y, double z, double radius, const double color[3])
 {
-    ew_opaque *sphere = add(list, EW_OPAQUE_SPHERE, color);
+    opaque_shape *sphere = add(list, OPAQUE_SPHERE, color);
     vector_copy((double[3]){x, y, z}, sphere->shape.sphere.center);
     sphere->shape.sphere.radius = radius;
 }
@@ -45,7 +45,7 @@ static void add_pillar(shape_list *list, double x, double z, double height, bool
     if (!broken) add_block(list, x, height, z, 0.72, 0.45, stone);
 }
 
-size_t court_make_shapes(ew_opaque shapes[COURT_MAX_SHAPES])
+size_t court_make_shapes(opaque_shape shapes[COURT_MAX_SHAPES])
 {
     static const struct {
         double x, z, height;

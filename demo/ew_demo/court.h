@@ -1,21 +1,24 @@
 /*
- * The court in which the demo's energy plays: a floor, steps, pillars and spheres. Nothing of it moves.
+ * The court in which the demo takes place: a floor, steps, pillars and spheres, none of which move.
  */
 #ifndef COURT_H
 #define COURT_H
 
-#include "scene_file.h"
+#include "scene.h"
 
 #include <stddef.h>
 
-/* World units are metres, y is up and 0 on the floor. The orb hovers in the middle; two beams rise from the emitters. */
+/* World units are metres; y is up, and 0 on the floor. */
 #define COURT_FLOOR_HALF_SIDE 60.0
+/* Where the orb hovers. */
 extern const double court_orb[3];
+
+/* Where the beams come from. */
 extern const double court_emitters[2][3];
 
 enum { COURT_MAX_SHAPES = 64 };
 
-/* Fills `shapes` with boxes and spheres; returns how many there are. */
-size_t court_make_shapes(ew_opaque shapes[COURT_MAX_SHAPES]);
+/* Fills `shapes` with boxes and spheres, and returns their count. */
+size_t court_make_shapes(opaque_shape shapes[COURT_MAX_SHAPES]);
 
 #endif

@@ -4,7 +4,7 @@
 
 enum { LIGHTS_OF_A_TORUS = 12, LIGHTS_OF_A_CURVE = 8 };
 
-/* How much light a source gives off for each metre and unit of its coefficient. */
+/* Light per metre of a source and unit of its coefficient. */
 static const double brightness = 0.2;
 
 typedef struct light_list {
@@ -22,11 +22,37 @@ static void add(light_list *list, const double position[3], double radius, doubl
         light->color[i] = brightness * intensity * color[i];
 }
 
-/* The weight at t: linear between the weights, which is near enough to their spline. */
-static double weight_at(const ew_curve *curve, double t)
+static void add_points(light_list *list, const ew_sources_desc *sources)
+{
+    for (size_t i = 0; i < sources->point_count; i++)
+        add(list, sources->points[i].position, 0.5, 2 * sources->points[i].coefficient, sources->points[i].color);
+}
+
+static void add_torus(light_list *list, const ew_torus *torus)
+{
+    double axis[3], u[3], v[3];
+    vector_normalize(torus->axis, axis);
+    vector_across(axis, u, v);
+    double length = 2 * M_PI * torus->radius / LIGHTS_OF_A_TORUS;
+    for (int i = 0; i < LIGHTS_OF_A_TORUS; i++) {
+        double angle = 2 * M_PI * i / LIGHTS_OF_A_TORUS, position[3];
+        vector_add_scaled(torus->center, torus->radius * cos(angle), u, position);
+        vector_add_scaled(position, torus->radius * sin(angle), v, position);
+        add(list, position, length / 2, torus->coefficient * length, torus->color);
+    }
+}
+
+static void add_tori(light_list *list, const ew_sources_desc *sources)
+{
+    for (size_t i = 0; i < sources->torus_count; i++)
+        add_torus(list, &sources->tori[i]);
+}
+
+/* The weight at `u` of the way along the curve: linear between the weights, which is close enough to their spline. */
+static double weight_at(const ew_curve *curve, double u)
 {
     if (curve->weight_count == 0) return 1;
-    double at = t * (double)(curve->weight_count - 1);
+    double at = u * (double)(curve->weight_count - 1);
     size_t i = (size_t)at;
     if (i + 1 >= curve->weight_count) return curve->weights[curve->weight_count - 1];
     return curve->weights[i] + (at - (double)i) * (curve->weights[i + 1] - curve->weights[i]);
@@ -53,31 +79,19 @@ static void add_curve(light_list *list, const ew_curve *curve)
     }
 }
 
-static void add_torus(light_list *list, const ew_torus *torus)
+static void add_curves(light_list *list, const ew_sources_desc *sources)
 {
-    double axis[3], u[3], v[3];
-    vector_normalize(torus->axis, axis);
-    double across[3] = {fabs(axis[0]) < 0.5, fabs(axis[0]) >= 0.5, 0};
-    vector_cross(across, axis, u);
-    vector_normalize(u, u);
-    vector_cross(axis, u, v);
-    double length = 2 * M_PI * torus->radius / LIGHTS_OF_A_TORUS;
-    for (int i = 0; i < LIGHTS_OF_A_TORUS; i++) {
-        double angle = 2 * M_PI * i / LIGHTS_OF_A_TORUS, position[3];
-        vector_add_scaled(torus->center, torus->radius * cos(angle), u, position);
-        vector_add_scaled(position, torus->radius * sin(angle), v, position);
-        add(list, position, length / 2, torus->coefficient * length, torus->color);
-    }
+    for (size_t i = 0; i < sources->curve_count; i++)
+        add_curve(list, &sources->curves[i]);
 }
+
+/* One function for each kind of source that the court has. */
+static void (*const add_kind[])(light_list *list, const ew_sources_desc *sources) = {add_points, add_tori, add_curves};
 
 size_t energy_make_lights(const ew_sources_desc *sources, energy_light lights[ENERGY_MAX_LIGHTS])
 {
     light_list list = {lights, 0};
-    for (size_t i = 0; i < sources->point_count; i++)
-        add(&list, sources->points[i].position, 0.5, 2 * sources->points[i].coefficient, sources->points[i].color);
-    for (size_t i = 0; i < sources->torus_count; i++)
-        add_torus(&list, &sources->tori[i]);
-    for (size_t i = 0; i < sources->curve_count; i++)
-        add_curve(&list, &sources->curves[i]);
+    for (size_t i = 0; i < sizeof add_kind / sizeof *add_kind; i++)
+        add_kind[i](&list, sources);
     return list.count;
 }

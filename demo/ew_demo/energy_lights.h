@@ -1,5 +1,5 @@
 /*
- * The energy as point lights, for the opaque scene to be lit by: the look of it, not its integral.
+ * Point lights in place of the energy, to light the opaque scene. They look right; they are no integral.
  */
 #ifndef ENERGY_LIGHTS_H
 #define ENERGY_LIGHTS_H
@@ -12,12 +12,11 @@ enum { ENERGY_MAX_LIGHTS = 64 };
 
 typedef struct energy_light {
     double position[3];
-    double radius; /* within which it grows no brighter: half the distance to the next light of the same source */
+    double radius; /* closer than this it grows no brighter: half the distance to the source's next light */
     double color[3];
 } energy_light;
 
-/* Spreads lights along the sources, tori and curves getting several each; returns how many there are. Sources that find no
- * room light nothing. */
+/* Puts one light at each point and several along each torus and curve, until `lights` is full. Returns their count. */
 size_t energy_make_lights(const ew_sources_desc *sources, energy_light lights[ENERGY_MAX_LIGHTS]);
 
 #endif

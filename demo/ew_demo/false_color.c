@@ -1,4 +1,4 @@
-/* Maps of the method: see false_color.h. */
+/* Errors and costs as colours: see false_color.h. */
 #include "false_color.h"
 
 #include <math.h>

@@ -1,5 +1,5 @@
 /*
- * The last step of a picture: the energy's layer over the opaque scene, as a display or a mirror shows it.
+ * The last step of a picture: composites the energy over the opaque scene, and encodes it for a display.
  */
 #ifndef FILM_H
 #define FILM_H
@@ -20,14 +20,14 @@ void film_destroy(const gl_functions *gl, demo_film *film);
 
 typedef struct film_exposure {
     GLuint opaque; /* linear colour */
-    GLuint energy; /* the effect, drawn over nothing */
+    GLuint energy; /* the effect, drawn over transparent black */
     int samples_per_axis;
-    bool graded;        /* steeply, or as it is */
-    double sensitivity; /* to the energy, where it is graded */
-    bool encoded;       /* to sRGB, or left linear */
+    bool graded;        /* with the steep gradation of film */
+    double sensitivity; /* to the energy, if graded */
+    bool encoded;       /* to sRGB; else linear */
 } film_exposure;
 
-/* Draws it into the whole of `framebuffer`, which is smaller than the textures by the samples. */
+/* Fills `framebuffer`. Each of its pixels is the mean of samples_per_axis x samples_per_axis texels. */
 void film_develop(const gl_functions *gl, const demo_film *film, const film_exposure *exposure, GLuint framebuffer, int width,
                   int height);
 

@@ -14,7 +14,7 @@ void gpu_timer_destroy(const gl_functions *gl, gpu_timer *timer)
     gl->DeleteQueries(GPU_TIMER_QUERIES, timer->queries);
 }
 
-/* Takes the results that are there; all of them where the next query would be one still under way. */
+/* Takes the results that are available. Waits for one only if every query is in use. */
 static void collect(const gl_functions *gl, gpu_timer *timer)
 {
     while (timer->finished < timer->begun) {

@@ -11,24 +11,20 @@
 
 #include <stdlib.h>
 
-enum { FLOATS_PER_VERTEX = 9 };
-
 static const double to_moon[3] = {-0.46, 0.76, 0.46};
 
 struct lit_opaque {
     const gl_functions *gl;
     GLuint program;
-    GLuint vertex_array;
-    GLuint buffers[2];
-    GLsizei index_count;
+    opaque_buffers buffers;
     GLsizei shape_count;
-    float centers[COURT_MAX_SHAPES][4]; /* and a rounding radius */
+    float centers[COURT_MAX_SHAPES][4]; /* w: the rounding radius */
     float extents[COURT_MAX_SHAPES][4];
 };
 
-static void describe_shape(const ew_opaque *shape, float center[4], float extent[4])
+static void describe_shape(const opaque_shape *shape, float center[4], float extent[4])
 {
-    bool is_box = shape->kind == EW_OPAQUE_BOX;
+    bool is_box = shape->kind == OPAQUE_BOX;
     for (int i = 0; i < 3; i++) {
         double min = shape->shape.box.min[i], max = shape->shape.box.max[i];
         center[i] = (float)(is_box ? (min + max) / 2 : shape->shape.sphere.center[i]);
@@ -38,47 +34,16 @@ static void describe_shape(const ew_opaque *shape, float center[4], float extent
     extent[3] = 0;
 }
 
-static void upload_mesh(lit_opaque *lit, const opaque_mesh *mesh, const float *vertices)
-{
-    const gl_functions *gl = lit->gl;
-    const GLsizei stride = FLOATS_PER_VERTEX * sizeof *vertices;
-    lit->index_count = (GLsizei)(3 * mesh->triangle_count);
-    gl->GenVertexArrays(1, &lit->vertex_array);
-    gl->GenBuffers(2, lit->buffers);
-    gl->BindVertexArray(lit->vertex_array);
-    gl->BindBuffer(GL_ARRAY_BUFFER, lit->buffers[0]);
-    gl->BufferData(GL_ARRAY_BUFFER, (GLsizeiptr)mesh->vertex_count * stride, vertices, GL_STATIC_DRAW);
-    gl->BindBuffer(GL_ELEMENT_ARRAY_BUFFER, lit->buffers[1]);
-    gl->BufferData(GL_ELEMENT_ARRAY_BUFFER, (GLsizeiptr)(mesh->triangle_count * sizeof *mesh->triangles), mesh->triangles,
-                   GL_STATIC_DRAW);
-    for (GLuint i = 0; i < 3; i++) {
-        gl->EnableVertexAttribArray(i);
-        gl->VertexAttribPointer(i, 3, GL_FLOAT, GL_FALSE, stride, (const void *)(i * 3 * sizeof *vertices));
-    }
-    gl->BindVertexArray(0);
-    gl->BindBuffer(GL_ARRAY_BUFFER, 0);
-}
-
-static bool make_mesh(lit_opaque *lit, const ew_scene *scene)
+static bool make_buffers(lit_opaque *lit, const demo_scene *scene)
 {
     opaque_mesh mesh;
     if (!opaque_make_mesh(scene, &mesh)) return false;
-    float *vertices = malloc(mesh.vertex_count * FLOATS_PER_VERTEX * sizeof *vertices);
-    for (size_t i = 0; vertices && i < mesh.vertex_count; i++)
-        for (int j = 0; j < 3; j++) {
-            float *vertex = vertices + i * FLOATS_PER_VERTEX;
-            vertex[j] = (float)mesh.vertices[i].position[j];
-            vertex[3 + j] = (float)mesh.vertices[i].normal[j];
-            vertex[6 + j] = (float)mesh.vertices[i].color[j];
-        }
-    bool ok = vertices != NULL;
-    if (ok) upload_mesh(lit, &mesh, vertices);
-    free(vertices);
+    bool ok = opaque_upload(lit->gl, &mesh, NULL, &lit->buffers);
     opaque_free_mesh(&mesh);
     return ok;
 }
 
-lit_opaque *lit_opaque_create(const gl_functions *gl, const ew_scene *scene, char *message, size_t size)
+lit_opaque *lit_opaque_create(const gl_functions *gl, const demo_scene *scene, char *message, size_t size)
 {
     lit_opaque *lit = calloc(1, sizeof *lit);
     if (lit) {
@@ -87,7 +52,7 @@ lit_opaque *lit_opaque_create(const gl_functions *gl, const ew_scene *scene, cha
         for (size_t i = 0; i < scene->opaque_count; i++)
             describe_shape(&scene->opaque[i], lit->centers[i], lit->extents[i]);
     }
-    if (!lit || !make_mesh(lit, scene)) {
+    if (!lit || !make_buffers(lit, scene)) {
         message_write(message, size, "the court does not fit into memory; close other programs");
         lit_opaque_destroy(lit);
         return NULL;
@@ -116,35 +81,11 @@ static void set_vector(const lit_opaque *lit, const char *name, const double vec
     gl->Uniform3f(gl->GetUniformLocation(lit->program, name), (float)vector[0], (float)vector[1], (float)vector[2]);
 }
 
-static void set_uniforms(const lit_opaque *lit, const lit_opaque_view *how)
+static void set_lights(const lit_opaque *lit, const ew_sources_desc *sources)
 {
-    const ew_scene *scene = how->scene;
     const gl_functions *gl = lit->gl;
-    double view[16], projection[16], moon[3], eye[3];
-    float view_projection[16];
-    camera_view(&scene->camera, view);
-    camera_projection(&scene->camera, (double)how->width / how->height, projection);
-    vector_copy(scene->camera.eye, eye);
-    if (how->is_mirrored) {
-        for (int row = 0; row < 4; row++)
-            view[4 + row] = -view[4 + row];
-        eye[1] = -eye[1];
-    }
-    multiply(projection, view, view_projection);
-    gl->UniformMatrix4fv(gl->GetUniformLocation(lit->program, "view_projection"), 1, GL_FALSE, view_projection);
-    vector_normalize(to_moon, moon);
-    set_vector(lit, "to_moon", moon);
-    set_vector(lit, "eye", eye);
-    set_vector(lit, "background", scene->background);
-    gl->Uniform1i(gl->GetUniformLocation(lit->program, "shape_count"), lit->shape_count);
-    gl->Uniform4fv(gl->GetUniformLocation(lit->program, "shape_center"), lit->shape_count, lit->centers[0]);
-    gl->Uniform4fv(gl->GetUniformLocation(lit->program, "shape_extent"), lit->shape_count, lit->extents[0]);
-    gl->Uniform1i(gl->GetUniformLocation(lit->program, "is_mirrored"), how->is_mirrored);
-    gl->Uniform1i(gl->GetUniformLocation(lit->program, "reflects"), how->reflection != 0);
-    gl->Uniform1i(gl->GetUniformLocation(lit->program, "reflection"), 0);
-    gl->Uniform2f(gl->GetUniformLocation(lit->program, "pixel"), 1.0f / (float)how->width, 1.0f / (float)how->height);
     energy_light lights[ENERGY_MAX_LIGHTS];
-    GLsizei count = (GLsizei)energy_make_lights(&scene->sources, lights);
+    GLsizei count = (GLsizei)energy_make_lights(sources, lights);
     float positions[ENERGY_MAX_LIGHTS][4], colors[ENERGY_MAX_LIGHTS][4];
     for (GLsizei i = 0; i < count; i++)
         for (int j = 0; j < 4; j++) {
@@ -156,25 +97,56 @@ static void set_uniforms(const lit_opaque *lit, const lit_opaque_view *how)
     gl->Uniform4fv(gl->GetUniformLocation(lit->program, "light_color"), count, colors[0]);
 }
 
+static void set_camera(const lit_opaque *lit, const lit_opaque_view *how)
+{
+    const scene_camera *camera = &how->scene->camera;
+    const gl_functions *gl = lit->gl;
+    double view[16], projection[16], eye[3];
+    float view_projection[16];
+    camera_view(camera, view);
+    camera_projection(camera, (double)how->width / how->height, projection);
+    vector_copy(camera->eye, eye);
+    if (how->is_mirrored) {
+        for (int row = 0; row < 4; row++)
+            view[4 + row] = -view[4 + row];
+        eye[1] = -eye[1];
+    }
+    multiply(projection, view, view_projection);
+    gl->UniformMatrix4fv(gl->GetUniformLocation(lit->program, "view_projection"), 1, GL_FALSE, view_projection);
+    set_vector(lit, "eye", eye);
+}
+
+static void set_uniforms(const lit_opaque *lit, const lit_opaque_view *how)
+{
+    const demo_scene *scene = how->scene;
+    const gl_functions *gl = lit->gl;
+    double moon[3];
+    set_camera(lit, how);
+    vector_normalize(to_moon, moon);
+    set_vector(lit, "to_moon", moon);
+    set_vector(lit, "background", scene->background);
+    gl->Uniform1i(gl->GetUniformLocation(lit->program, "shape_count"), lit->shape_count);
+    gl->Uniform4fv(gl->GetUniformLocation(lit->program, "shape_center"), lit->shape_count, lit->centers[0]);
+    gl->Uniform4fv(gl->GetUniformLocation(lit->program, "shape_extent"), lit->shape_count, lit->extents[0]);
+    gl->Uniform1i(gl->GetUniformLocation(lit->program, "is_mirrored"), how->is_mirrored);
+    gl->Uniform1i(gl->GetUniformLocation(lit->program, "reflects"), how->reflection != 0);
+    gl->Uniform1i(gl->GetUniformLocation(lit->program, "reflection"), 0);
+    gl->Uniform2f(gl->GetUniformLocation(lit->program, "pixel"), 1.0f / (float)how->width, 1.0f / (float)how->height);
+    set_lights(lit, &scene->sources);
+}
+
 void lit_opaque_draw(const lit_opaque *lit, const lit_opaque_view *view)
 {
     const gl_functions *gl = lit->gl;
-    const double *background = view->scene->background;
-    const float color[4] = {(float)background[0], (float)background[1], (float)background[2], 1}, farthest = 1;
     gl->Viewport(0, 0, view->width, view->height);
-    gl->ClearBufferfv(GL_COLOR, 0, color);
-    gl->ClearBufferfv(GL_DEPTH, 0, &farthest);
+    opaque_clear(gl, view->scene);
     gl->UseProgram(lit->program);
     set_uniforms(lit, view);
     gl->BindTexture(GL_TEXTURE_2D, view->reflection);
-    gl->BindVertexArray(lit->vertex_array);
-    gl->Enable(GL_DEPTH_TEST);
-    /* A mirror turns the triangles round. */
+    /* A mirror image turns the triangles the other way round. */
     if (!view->is_mirrored) gl->Enable(GL_CULL_FACE);
-    gl->DrawElements(GL_TRIANGLES, lit->index_count, GL_UNSIGNED_INT, NULL);
+    opaque_draw_buffers(gl, &lit->buffers);
     gl->Disable(GL_CULL_FACE);
-    gl->Disable(GL_DEPTH_TEST);
-    gl->BindVertexArray(0);
     gl->BindTexture(GL_TEXTURE_2D, 0);
     gl->UseProgram(0);
 }
@@ -183,7 +155,6 @@ void lit_opaque_destroy(lit_opaque *lit)
 {
     if (!lit) return;
     lit->gl->DeleteProgram(lit->program);
-    lit->gl->DeleteVertexArrays(1, &lit->vertex_array);
-    lit->gl->DeleteBuffers(2, lit->buffers);
+    opaque_delete_buffers(lit->gl, &lit->buffers);
     free(lit);
 }

@@ -1,5 +1,5 @@
 /*
- * ew-demo: energy waves that move, in a window or as pictures.
+ * ew-demo: moving energy waves, in a window or as pictures.
  */
 #include "message.h"
 #include "offscreen.h"
@@ -35,8 +35,6 @@ int main(int argc, char **argv)
                             .samples_per_axis = 1,
                             .backend = CONTEXT_AUTO};
     char message[600];
-    /* Mesa's EGL would add lines of its own to the one that says why there is no context. */
-    setenv("EGL_LOG_LEVEL", "fatal", 0);
     if (options_read(argc, argv, &options, message, sizeof message) && run(&options, message, sizeof message))
         return EXIT_SUCCESS;
     if (message[0] == '\0') return EXIT_SUCCESS;

@@ -1,6 +1,7 @@
-/* Maps of the method: see map.h. */
+/* Maps in false colours: see map.h. */
 #include "map.h"
 #include "false_color.h"
+#include "texture.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -19,7 +20,7 @@ static void *allocate(size_t bytes, ew_result *result, ew_error *error)
     return NULL;
 }
 
-/* One number for each pixel of the frame. */
+/* Draws another output of the frame, and reads it: one number a pixel. */
 static ew_result measure(const gl_functions *gl, ew_effect *effect, const ew_frame_desc *frame, ew_output output, float *values,
                          ew_error *error)
 {
@@ -27,15 +28,14 @@ static ew_result measure(const gl_functions *gl, ew_effect *effect, const ew_fra
     measured.output = output;
     ew_result result = ew_draw(effect, &measured, error);
     if (result) return result;
-    gl->BindFramebuffer(GL_FRAMEBUFFER, frame->framebuffer);
-    gl->ReadPixels(frame->viewport_x, frame->viewport_y, frame->viewport_width, frame->viewport_height, GL_RED, GL_FLOAT,
-                   values);
-    gl->BindFramebuffer(GL_FRAMEBUFFER, 0);
+    const pixel_rectangle viewport = {frame->viewport_x, frame->viewport_y, frame->viewport_width, frame->viewport_height};
+    texture_read(gl, frame->framebuffer, viewport, GL_RED, GL_FLOAT, values);
     return EW_OK;
 }
 
-/* The luminance by the reference. On a part of the interval, from s0 to s1 of it, with s = s0 + (s1 - s0) s', the decay
- * alpha / (s + beta)^2 ds is alpha' / (s' + beta')^2 ds', with alpha' = alpha / (s1 - s0), beta' = (s0 + beta) / (s1 - s0). */
+/* The luminance of the reference is the sum over parts of the interval. On the part from s0 to s1, let s = s0 + (s1 - s0) s'.
+ * Then the decay alpha / (s + beta)^2 ds is alpha' / (s' + beta')^2 ds', with alpha' = alpha / (s1 - s0) and
+ * beta' = (s0 + beta) / (s1 - s0). */
 static ew_result measure_reference(const gl_functions *gl, ew_effect *effect, const ew_frame_desc *frame, float *scratch,
                                    double *sum, ew_error *error)
 {
@@ -58,7 +58,7 @@ static ew_result measure_reference(const gl_functions *gl, ew_effect *effect, co
     return EW_OK;
 }
 
-/* The errors of the frame's luminances, relative to max(truth, 1e-3 of the largest truth) as everywhere in the project. */
+/* Errors are relative to the true luminance or, where that is darker, to 1e-3 of the largest, as everywhere in the project. */
 static ew_result measure_errors(const gl_functions *gl, ew_effect *effect, const ew_frame_desc *frame, float *errors,
                                 ew_error *error)
 {

@@ -1,5 +1,5 @@
 /*
- * Maps of the method in false colours: how often the rays were evaluated, and how far off they are.
+ * Maps in false colours: how often each pixel's ray was evaluated, and how large its error is.
  */
 #ifndef MAP_H
 #define MAP_H
@@ -9,25 +9,23 @@
 
 #include <stdbool.h>
 
-/* The reference is EW_INTEGRATOR_SIMPSON, which shares no formula with the adaptive integrator, on MAP_REFERENCE_PARTS parts of
- * the interval with the most divisions that it takes. Steps longer than epsilon blur the cores; so its own error shows there.
- */
+/* The reference is Simpson's rule, which shares no formula with the adaptive integrator, with EW_MAX_SIMPSON_DIVISIONS on each
+ * of MAP_REFERENCE_PARTS parts of the interval. Where a division is longer than epsilon, the reference's own error shows. */
 enum { MAP_REFERENCE_PARTS = 4, MAP_REFERENCE_DIVISIONS = MAP_REFERENCE_PARTS * EW_MAX_SIMPSON_DIVISIONS };
 
 typedef struct map_statistics {
     double mean_evaluations;
-    double largest_error; /* relative, and below: negative in a map of evaluations */
-    double error_of_99_percent;
+    double largest_error;       /* relative; negative in a map of evaluations */
+    double error_of_99_percent; /* 99 % of the pixels have at most this; likewise */
 } map_statistics;
 
-/* Each takes a frame whose framebuffer has one 32-bit float channel; its output does not count. */
+/* The frame of both functions has a framebuffer with one 32-bit float channel. Its `output` is ignored. */
 
-/* The mean number of evaluations of its pixels. */
+/* Sets *mean to the mean number of evaluations of the frame's pixels. */
 ew_result map_count_evaluations(const gl_functions *gl, ew_effect *effect, const ew_frame_desc *frame, double *mean,
                                 ew_error *error);
 
-/* Draws the frame's evaluations, or its errors, and writes their colours into `picture`, an 8-bit texture, at the same place.
- */
+/* Maps the frame's evaluations or errors to colours, in the same rectangle of `picture`, an 8-bit texture. */
 ew_result map_draw(const gl_functions *gl, ew_effect *effect, const ew_frame_desc *frame, bool is_error, GLuint picture,
                    map_statistics *statistics, ew_error *error);
 

@@ -6,8 +6,8 @@
 
 #include "options.h"
 
-/* Draws and writes the frames that the options ask for, with a bar on the terminal. On failure returns false, with a message;
- * the frames before it are written. */
+/* Draws and writes the frames that the options ask for. On failure returns false, with a message; earlier frames have been
+ * written. */
 bool offscreen_run(const demo_options *options, char *message, size_t size);
 
 #endif

@@ -5,24 +5,24 @@
 #define OPTIONS_H
 
 #include "context.h"
+#include "display.h"
 #include "render.h"
-#include "stage.h"
 
 #include <stdbool.h>
 #include <stddef.h>
 
 typedef struct demo_options {
-    const char *scene; /* a scene file; NULL for the demo_animation */
+    const char *scene; /* a scene file; NULL for the animation */
     bool offscreen;
-    int first_frame; /* frames are numbered from 0 on */
-    int last_frame;
+    int first_frame; /* the animation begins with frame 0 */
+    int last_frame;  /* included */
     int frames_per_second;
-    const char *output; /* a picture's name with one number in it, as in printf; NULL for none */
+    const char *output; /* a printf format of pictures' names, for the frame's number; NULL for none */
     const char *video;  /* NULL for none */
     render_settings settings;
     bool split;
     render_settings right; /* how to integrate the right half */
-    stage_mode mode;
+    display_mode mode;
     int samples_per_axis;
     context_backend backend;
 } demo_options;

@@ -11,7 +11,7 @@
 
 enum { MAX_QUADS = 16000, MAX_TEXT = 4000 };
 
-/* As stb_easy_font writes them. */
+/* The layout that stb_easy_font writes. */
 typedef struct overlay_vertex {
     float position[3];
     unsigned char color[4];
@@ -40,7 +40,7 @@ static void create_buffers(demo_overlay *overlay)
     gl->BindBuffer(GL_ELEMENT_ARRAY_BUFFER, overlay->buffers[1]);
 }
 
-/* Two triangles a quad, which core GL does not know. */
+/* Each quad becomes two triangles, because core GL has no quads. */
 static bool upload_indices(const demo_overlay *overlay)
 {
     const gl_functions *gl = overlay->gl;
@@ -58,7 +58,7 @@ demo_overlay *overlay_create(const gl_functions *gl, char *message, size_t size)
 {
     demo_overlay *overlay = calloc(1, sizeof *overlay);
     bool ok = false;
-    message_write(message, size, "the display of text does not fit into memory; close other programs");
+    message_write(message, size, "the text does not fit into memory; close other programs");
     if (overlay) {
         overlay->gl = gl;
         create_buffers(overlay);
@@ -87,7 +87,7 @@ void overlay_box(demo_overlay *overlay, double x, double y, double width, double
     }
 }
 
-/* stb_easy_font takes text that it could write to. */
+/* stb_easy_font wants text that is not const. Replaces what its font lacks by question marks. */
 static void copy_text(const char *text, char copy[MAX_TEXT])
 {
     size_t length = strlen(text);

@@ -1,5 +1,5 @@
 /*
- * Text and bars over the picture.
+ * Text and boxes over the picture.
  */
 #ifndef OVERLAY_H
 #define OVERLAY_H
@@ -14,21 +14,22 @@ typedef struct demo_overlay demo_overlay;
 /* The height of a line of text at scale 1. */
 enum { OVERLAY_LINE = 12 };
 
-/* NULL, with a message, on failure. */
+/* Returns NULL, with a message, on failure. */
 demo_overlay *overlay_create(const gl_functions *gl, char *message, size_t size);
 
-/* What follows is collected; places are in pixels from the upper left corner, colours 8-bit sRGB and opacity. What finds no
- * more room is left out. */
+/* Begins anew. Boxes and text are collected until overlay_draw; when there is no more room, they are left out. */
 void overlay_begin(demo_overlay *overlay);
+
+/* Positions and sizes are in pixels, from the upper left corner. Colours are 8-bit sRGB and opacity. */
 void overlay_box(demo_overlay *overlay, double x, double y, double width, double height, const unsigned char color[4]);
 
-/* ASCII, with newlines, `scale` times as large as the font is made. */
+/* `text` is ASCII and may have newlines. At a scale of 1, a line is OVERLAY_LINE high. */
 void overlay_text(demo_overlay *overlay, double x, double y, double scale, const char *text, const unsigned char color[4]);
 
-/* How wide the text's widest line is. */
+/* The width of the widest line. */
 double overlay_text_width(const char *text, double scale);
 
-/* Draws all that was collected over the bound framebuffer, `width` x `height` pixels. */
+/* Draws what was collected over the bound framebuffer, of `width` x `height` pixels. */
 void overlay_draw(demo_overlay *overlay, int width, int height);
 
 /* `overlay` may be NULL. */

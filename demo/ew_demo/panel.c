@@ -1,19 +1,20 @@
-/* What stands over the picture: see panel.h. */
+/* The panel over the picture: see panel.h. */
 #include "panel.h"
 #include "false_color.h"
+#include "integrator_name.h"
 
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
 
-/* Columns of text: the font's letters are not all of one width. */
+/* Columns, because the font is proportional. */
 static const char *const key_columns[] = {
     "Space\n. ,\n[ ]\nR\nWASD\nQ E\nMouse\nWheel\nC\nH",
-    "pause\na frame on, back\nslower, faster\nfrom the beginning\nfly (Shift: faster)\ndown, up\n"
-    "left: orbit, right: look\nnearer, farther\nthe scene's own camera\nthese keys",
+    "pause\nnext, previous frame\nslower, faster\nrestart\nfly (Shift: faster)\ndown, up\n"
+    "left: orbit, right: look\ncloser, farther\nthe scene's own camera\nthis list",
     "1 2 3\n4 5 6\nShift+1-6\nTab\nM\nP\nV\nF11\nF12\nEsc",
     "adaptive, error 1e-2, 1e-3, 1e-4\nSimpson's rule, 64, 128, 256 divisions\nthe same for the right half\n"
-    "split the picture\nevaluations, errors, picture\nthis display\nwait for the monitor\nfull screen\nscreenshot\nquit",
+    "split the picture\nmap of evaluations, of errors, none\nthis panel\nvsync\nfull screen\nscreenshot\nquit",
 };
 enum { KEY_COLUMNS = sizeof key_columns / sizeof *key_columns };
 
@@ -44,7 +45,7 @@ static int line_count(const char *text)
     return count;
 }
 
-/* Text on a darkened box whose upper left corner is at x and y. */
+/* Text on a dark box, whose upper left corner is at (x, y). */
 static void draw_box(demo_overlay *overlay, double x, double y, double scale, const char *text, const unsigned char color[4])
 {
     double margin = 6 * scale;
@@ -65,25 +66,16 @@ static void draw_keys(demo_overlay *overlay, double y, double scale)
     }
 }
 
-static void name_integrator(const render_settings *settings, char name[40])
-{
-    static const char *const errors[] = {"1e-2", "1e-3", "1e-4"};
-    if (settings->integrator == EW_INTEGRATOR_SIMPSON)
-        snprintf(name, 40, "Simpson, %d divisions", settings->simpson_divisions);
-    else
-        snprintf(name, 40, "adaptive, error %s", errors[settings->quality]);
-}
-
 static void describe_half(text_lines *lines, const panel_view *view, int half)
 {
-    const stage_statistics *statistics = &view->statistics[half];
-    char name[40];
-    name_integrator(&view->integrators[half], name);
+    const display_statistics *statistics = &view->statistics[half];
+    char name[INTEGRATOR_NAME_SIZE];
+    integrator_write_name(&view->integrators[half], name);
     add(lines, "%s%s", view->split ? half ? "right: " : "left: " : "", name);
-    if (statistics->map.mean_evaluations >= 0) add(lines, ", %.1f evaluations a pixel", statistics->map.mean_evaluations);
-    if (view->mode == STAGE_PICTURE && statistics->gpu_milliseconds >= 0)
+    if (statistics->map.mean_evaluations >= 0) add(lines, ", %.1f evaluations per pixel", statistics->map.mean_evaluations);
+    if (view->mode == DISPLAY_PICTURE && statistics->gpu_milliseconds >= 0)
         add(lines, ", GPU %.2f ms", statistics->gpu_milliseconds);
-    if (view->mode == STAGE_ERROR)
+    if (view->mode == DISPLAY_ERROR)
         add(lines, "\n    error at most %.1e, 99 %% below %.1e", statistics->map.largest_error,
             statistics->map.error_of_99_percent);
     add(lines, "\n");
@@ -95,24 +87,24 @@ static void describe(text_lines *lines, const panel_view *view)
     if (view->is_animated)
         add(lines, "   %.2f s, frame %.0f, speed x%g%s", view->seconds, floor(view->seconds * view->frames_per_second + 1e-6),
             view->time_scale, view->is_paused ? ", paused" : "");
-    add(lines, "\n%.1f ms a frame, %.0f a second\n", view->frame_milliseconds, 1000 / fmax(view->frame_milliseconds, 1e-3));
+    add(lines, "\n%.1f ms per frame, %.0f fps\n", view->frame_milliseconds, 1000 / fmax(view->frame_milliseconds, 1e-3));
     for (int half = 0; half < (view->split ? 2 : 1); half++)
         describe_half(lines, view, half);
     add(lines, "%s\nH: keys", view->gl_name);
 }
 
-/* The colours of a map, with what they mean at both ends. */
+/* The colours of a map, with the numbers at both ends. */
 static void draw_scale(demo_overlay *overlay, const panel_view *view, int width, int height, double scale)
 {
     enum { STEPS = 64 };
-    bool is_error = view->mode == STAGE_ERROR;
+    bool is_error = view->mode == DISPLAY_ERROR;
     double bar = fmin(300 * scale, 0.6 * width), x = (width - bar) / 2, y = height - 2.5 * OVERLAY_LINE * scale;
     char text[200];
     if (is_error)
         snprintf(text, sizeof text, "relative error, %g to %g, against Simpson's rule with %d divisions",
                  FALSE_COLOR_LEAST_ERROR, FALSE_COLOR_LARGEST_ERROR, MAP_REFERENCE_DIVISIONS);
     else
-        snprintf(text, sizeof text, "evaluations a pixel, %d to %d", 0, FALSE_COLOR_MOST_EVALUATIONS);
+        snprintf(text, sizeof text, "evaluations per pixel, %d to %d", 0, FALSE_COLOR_MOST_EVALUATIONS);
     double text_width = overlay_text_width(text, scale);
     draw_box(overlay, (width - text_width) / 2 - 6 * scale, y - OVERLAY_LINE * scale - 10 * scale, scale, text, white);
     for (int i = 0; i < STEPS; i++) {
@@ -134,7 +126,7 @@ void panel_draw(demo_overlay *overlay, const panel_view *view, int width, int he
     overlay_begin(overlay);
     if (view->split) overlay_box(overlay, width / 2 - 0.5, 0, 1, height, pale);
     if (view->shows_panel) draw_box(overlay, 8 * scale, 8 * scale, scale, lines.text, white);
-    if (view->shows_panel && view->mode != STAGE_PICTURE) draw_scale(overlay, view, width, height, scale);
+    if (view->shows_panel && view->mode != DISPLAY_PICTURE) draw_scale(overlay, view, width, height, scale);
     if (view->shows_keys) draw_keys(overlay, (line_count(lines.text) * OVERLAY_LINE + 28) * scale, scale);
     if (view->error[0])
         draw_lower_left(overlay, height, scale, view->error, red);

@@ -1,12 +1,12 @@
 /*
- * What stands over the picture in the window: what is seen, how fast, and the keys.
+ * The panel over the window's picture: what is shown, how fast it is drawn, and the keys.
  */
 #ifndef PANEL_H
 #define PANEL_H
 
+#include "display.h"
 #include "overlay.h"
 #include "render.h"
-#include "stage.h"
 
 #include <stdbool.h>
 
@@ -19,17 +19,17 @@ typedef struct panel_view {
     bool is_paused;
     bool is_animated;
     double frame_milliseconds;
-    stage_mode mode;
+    display_mode mode;
     bool split;
     render_settings integrators[2];
-    stage_statistics statistics[2];
+    display_statistics statistics[2];
     bool shows_panel;
     bool shows_keys;
     const char *notice; /* empty for none */
-    const char *error;  /* what is wrong with the scene file; empty for nothing */
+    const char *error;  /* what is wrong with the scene file; empty if nothing is */
 } panel_view;
 
-/* Draws it over the bound framebuffer; `scale` is that of the monitor, 1 where letters need not be larger. */
+/* Draws the panel over the bound framebuffer. `scale` is that of the monitor's content. */
 void panel_draw(demo_overlay *overlay, const panel_view *view, int width, int height, double scale);
 
 #endif

@@ -1,4 +1,4 @@
-/* What the floor mirrors: see reflection.h. */
+/* What the floor reflects: see reflection.h. */
 #include "reflection.h"
 #include "texture.h"
 
@@ -25,7 +25,7 @@ static void make_targets(const gl_functions *gl, floor_reflection *reflection, i
 }
 
 ew_result reflection_draw(const gl_functions *gl, floor_reflection *reflection, ew_effect *effect, const lit_opaque *lit,
-                          const demo_film *film, const ew_scene *scene, const render_settings *settings, double sensitivity,
+                          const demo_film *film, const demo_scene *scene, const render_settings *settings, double sensitivity,
                           ew_error *error)
 {
     render_settings half = *settings;
@@ -35,13 +35,10 @@ ew_result reflection_draw(const gl_functions *gl, floor_reflection *reflection, 
     gl->BindFramebuffer(GL_FRAMEBUFFER, reflection->opaque_framebuffer);
     lit_opaque_draw(lit, &(lit_opaque_view){.scene = scene, .width = half.width, .height = half.height, .is_mirrored = true});
 
-    const float nothing[4] = {0, 0, 0, 0};
-    gl->BindFramebuffer(GL_FRAMEBUFFER, reflection->energy_framebuffer);
-    gl->ClearBufferfv(GL_COLOR, 0, nothing);
-    gl->BindFramebuffer(GL_FRAMEBUFFER, 0);
+    texture_clear(gl, reflection->energy_framebuffer);
     render_target target = {.depth = reflection->depth, .effect_framebuffer = reflection->energy_framebuffer};
     ew_frame_desc frame = render_frame(scene, &half, &target);
-    /* Mirrored at the floor, y = 0, before it is seen. */
+    /* Mirror the world in the floor, y = 0, before it is viewed. */
     for (int row = 0; row < 4; row++)
         frame.view[4 + row] = -frame.view[4 + row];
     ew_result result = ew_draw(effect, &frame, error);

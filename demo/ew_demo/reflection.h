@@ -1,5 +1,5 @@
 /*
- * What the court's polished floor mirrors: the scene as it is seen from under the floor, at half the picture's size.
+ * What the court's polished floor reflects: the mirrored scene, at half the picture's size.
  */
 #ifndef REFLECTION_H
 #define REFLECTION_H
@@ -19,9 +19,10 @@ typedef struct floor_reflection {
     GLuint opaque_framebuffer, energy_framebuffer, picture_framebuffer;
 } floor_reflection;
 
-/* Draws the reflection for a picture of the settings' size into `picture`, linear. The effect holds the scene's sources. */
+/* Draws the reflection for a picture of the settings' size into reflection->picture, in linear colour. The effect has the
+ * scene's sources. */
 ew_result reflection_draw(const gl_functions *gl, floor_reflection *reflection, ew_effect *effect, const lit_opaque *lit,
-                          const demo_film *film, const ew_scene *scene, const render_settings *settings, double sensitivity,
+                          const demo_film *film, const demo_scene *scene, const render_settings *settings, double sensitivity,
                           ew_error *error);
 
 void reflection_destroy(const gl_functions *gl, floor_reflection *reflection);

@@ -1,4 +1,4 @@
-/* A scene file that is read again when it is saved: see scene_watch.h. */
+/* Watching a scene file: see scene_watch.h. */
 #include "scene_watch.h"
 
 #include <string.h>
@@ -6,12 +6,12 @@
 bool scene_watch_begin(scene_watch *watch, const char *path)
 {
     *watch = (scene_watch){.path = path};
-    /* Before it is read: what is saved meanwhile shall be seen as new. */
+    /* This comes before reading, so that a save in between counts as a change. */
     stat(path, &watch->seen);
     return scene_load(path, &watch->scene, watch->message, sizeof watch->message);
 }
 
-/* An editor may write in place, or put another file in its place. */
+/* Editors may write the file in place, or replace it by another one. */
 static bool is_same(const struct stat *a, const struct stat *b)
 {
     return a->st_ino == b->st_ino && a->st_size == b->st_size && a->st_mtim.tv_sec == b->st_mtim.tv_sec &&
@@ -24,7 +24,7 @@ bool scene_watch_look(scene_watch *watch)
     stat(watch->path, &now);
     if (is_same(&now, &watch->seen)) return false;
     watch->seen = now;
-    ew_scene scene;
+    demo_scene scene;
     if (!scene_load(watch->path, &scene, watch->message, sizeof watch->message)) return true;
     scene_free(&watch->scene);
     watch->scene = scene;

@@ -11,15 +11,15 @@
 
 typedef struct scene_watch {
     const char *path;
-    ew_scene scene;    /* the last good one */
+    demo_scene scene;  /* from the last good state of the file */
     char message[500]; /* what is wrong with the file now; empty if nothing is */
     struct stat seen;
 } scene_watch;
 
-/* False, with the reason in `message` and nothing to free, where there is no good scene to begin with. */
+/* Returns false, with the reason in `message` and nothing to free, if the file is not good at the start. */
 bool scene_watch_begin(scene_watch *watch, const char *path);
 
-/* Looks at the file; returns whether it has been read anew, well or badly. */
+/* Reads the file again if it has changed. Returns whether it has; `message` says if it was good. */
 bool scene_watch_look(scene_watch *watch);
 
 void scene_watch_end(scene_watch *watch);

@@ -26,9 +26,9 @@ static int start(demo_video *video, int input, int other_end, int width, int hei
     char size[30], rate[20], path[1010];
     snprintf(size, sizeof size, "%dx%d", width, height);
     snprintf(rate, sizeof rate, "%d", frames_per_second);
-    /* A name that begins with a dash is no option. */
+    /* Keeps ffmpeg from taking a name that begins with a dash for an option. */
     snprintf(path, sizeof path, "%s%s", video->path[0] == '-' ? "./" : "", video->path);
-    /* 4:2:0 is what players everywhere know; it wants even sides. */
+    /* All players know 4:2:0, which needs even sides. */
     /* clang-format off */
     const char *const arguments[] = {
         "ffmpeg", "-loglevel", "error", "-y",
@@ -56,7 +56,7 @@ demo_video *video_open(const char *path, int width, int height, int frames_per_s
     }
     strcpy(video->path, path);
     video->frame_bytes = (size_t)width * (size_t)height * 3;
-    /* A write to an ffmpeg that has given up shall fail, not end this program. */
+    /* Without this, writing to an ffmpeg that has exited would end this program. */
     signal(SIGPIPE, SIG_IGN);
     int failure = start(video, ends[0], ends[1], width, height, frames_per_second);
     close(ends[0]);

@@ -6,7 +6,7 @@
 
 #include "options.h"
 
-/* Shows the animation or the options' scene file until the window is closed. On failure returns false, with a message. */
+/* Shows the options' scene file or the animation until the window is closed. On failure returns false, with a message. */
 bool window_run(const demo_options *options, char *message, size_t size);
 
 #endif

@@ -23,7 +23,7 @@ static const char scene_text[] =
     " \"interval\": {\"start\": 2, \"end\": 12}, \"epsilon\": 0.01, \"points\": [{\"position\": [1, 2, -2]}],"
     " \"opaque\": [{\"shape\": \"sphere\", \"center\": [1, 2, -5], \"radius\": 2}]}";
 
-static ew_scene scene;
+static demo_scene scene;
 static scene_rays rays;
 static float luminance[SIDE * SIDE], depth[SIDE * SIDE];
 static const drawn_picture picture = {SIDE, SIDE, luminance, depth};

@@ -25,7 +25,7 @@ typedef struct quality_counts {
     double mean[3]; /* by ew_quality */
 } quality_counts;
 
-static bool count_evaluations(field_drawer *drawer, const ew_scene *scene, const scene_rays *rays, quality_counts *counts,
+static bool count_evaluations(field_drawer *drawer, const demo_scene *scene, const scene_rays *rays, quality_counts *counts,
                               ew_error *error)
 {
     static float depth[PIXEL_COUNT], evaluations[PIXEL_COUNT];
@@ -61,7 +61,7 @@ static bool report(const char *path, const ew_sources_desc *sources, double shar
 static bool check_scene(field_drawer *drawer, const char *path, double share, bool *wrong)
 {
     char message[400];
-    ew_scene scene;
+    demo_scene scene;
     scene_rays rays;
     ew_error error = {EW_ERROR_OUT_OF_MEMORY, "memory is exhausted"};
     quality_counts counts;

@@ -8,7 +8,6 @@
 #include "picture.h"
 #include "scene_rays.h"
 
-#include <getopt.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -65,8 +64,12 @@ typedef struct accuracy_results {
 /* ---- The command line -----------------------------------------------------------------------------------------------------
  */
 
-static bool read_integrators(char *list, command_line *options)
+/* `target` is the command_line, here and below. */
+static bool read_integrators(const char *text, void *target)
 {
+    command_line *options = target;
+    char list[200];
+    if (snprintf(list, sizeof list, "%s", text) >= (int)sizeof list) return false;
     options->integrator_count = 0;
     for (char *name = strtok(list, ","); name; name = strtok(NULL, ","))
         if (options->integrator_count == MAX_INTEGRATORS ||
@@ -75,102 +78,58 @@ static bool read_integrators(char *list, command_line *options)
     return options->integrator_count > 0;
 }
 
-static bool read_pixels(const char *text, command_line *options)
+static bool read_picture_size(const char *text, void *target)
 {
-    char *end;
-    unsigned long pixels = strtoul(text, &end, 10);
-    options->pixels = pixels;
-    options->pixels_given = true;
-    return *end == '\0' && pixels > 0;
+    command_line *options = target;
+    return read_size(text, &options->width, &options->height);
 }
 
-enum {
-    OPTION_INTEGRATORS = 256,
-    OPTION_BACKEND,
-    OPTION_SIZE,
-    OPTION_PIXELS,
-    OPTION_FULL,
-    OPTION_SORTED,
-    OPTION_CSV,
-    OPTION_HEATMAP,
-    OPTION_CHECK,
-    OPTION_HELP
-};
-
-static const struct option long_options[] = {{"integrators", required_argument, NULL, OPTION_INTEGRATORS},
-                                             {"backend", required_argument, NULL, OPTION_BACKEND},
-                                             {"size", required_argument, NULL, OPTION_SIZE},
-                                             {"pixels", required_argument, NULL, OPTION_PIXELS},
-                                             {"full", no_argument, NULL, OPTION_FULL},
-                                             {"sorted", no_argument, NULL, OPTION_SORTED},
-                                             {"csv", required_argument, NULL, OPTION_CSV},
-                                             {"heatmap", required_argument, NULL, OPTION_HEATMAP},
-                                             {"check", no_argument, NULL, OPTION_CHECK},
-                                             {"help", no_argument, NULL, OPTION_HELP},
-                                             {NULL, 0, NULL, 0}};
-
-/* Returns false for bad input; getopt has said why where it is an option that does not exist. */
-static bool read_options(int argc, char **argv, command_line *options)
+static bool read_pixels(const char *text, void *target)
 {
-    int option;
-    while ((option = getopt_long(argc, argv, "", long_options, NULL)) != -1) {
-        bool ok = true;
-        switch (option) {
-        case OPTION_INTEGRATORS:
-            ok = read_integrators(optarg, options);
-            break;
-        case OPTION_BACKEND:
-            ok = read_backend(optarg, &options->backend);
-            break;
-        case OPTION_SIZE:
-            ok = read_size(optarg, &options->width, &options->height);
-            break;
-        case OPTION_PIXELS:
-            ok = read_pixels(optarg, options);
-            break;
-        case OPTION_FULL:
-            options->pixels = 0;
-            options->pixels_given = true;
-            break;
-        case OPTION_SORTED:
-            options->sorted = true;
-            break;
-        case OPTION_CSV:
-            options->csv = optarg;
-            break;
-        case OPTION_HEATMAP:
-            options->heatmap = optarg;
-            break;
-        case OPTION_CHECK:
-            options->check = true;
-            break;
-        case OPTION_HELP:
-            fputs(help, stdout);
-            exit(EXIT_SUCCESS);
-        default:
-            return false;
-        }
-        if (!ok) {
-            fprintf(stderr, "ew-accuracy: \"%s\" is not what the option takes; see ew-accuracy --help\n", optarg);
-            return false;
-        }
+    command_line *options = target;
+    char *end;
+    options->pixels = strtoul(text, &end, 10);
+    options->pixels_given = true;
+    return *end == '\0' && options->pixels > 0;
+}
+
+/* Returns false with a message, or with an empty one where the options asked for a text that has been printed. */
+static bool read_options(int argc, char **argv, command_line *options, char *message, size_t size)
+{
+    bool full = false;
+    const command_option table[] = {
+        {"integrators", 0, read_integrators, options, "must be of adaptive:1e-2, adaptive:1e-3, adaptive:1e-4 and simpson:N"},
+        {"backend", 0, read_backend, &options->backend, BACKEND_REMEDY},
+        {"size", 0, read_picture_size, options, SIZE_REMEDY},
+        {"pixels", 0, read_pixels, options, "must be a number of pixels"},
+        {"full", 0, NULL, &full, NULL},
+        {"sorted", 0, NULL, &options->sorted, NULL},
+        {"csv", 0, read_text, &options->csv, NULL},
+        {"heatmap", 0, read_text, &options->heatmap, NULL},
+        {"check", 0, NULL, &options->check, NULL},
+    };
+    const command_program program = {"ew-accuracy", help, table, sizeof table / sizeof *table};
+    if (!command_line_read(argc, argv, &program, message, size)) return false;
+    if (full) {
+        options->pixels = 0;
+        options->pixels_given = true;
     }
     if (optind < argc) return true;
-    fprintf(stderr, "ew-accuracy: name a scene file\n");
+    snprintf(message, size, "SCENE.json: is missing; name a scene file");
     return false;
 }
 
 /* ---- Scenes ---------------------------------------------------------------------------------------------------------------
  */
 
-static size_t source_count(const ew_scene *scene)
+static size_t source_count(const demo_scene *scene)
 {
     const ew_sources_desc *sources = &scene->sources;
     return sources->point_count + sources->line_count + sources->torus_count + sources->curve_count;
 }
 
 /* As many as take the reference about a second. */
-static size_t default_pixels(const ew_scene *scene)
+static size_t default_pixels(const demo_scene *scene)
 {
     size_t sources = source_count(scene), pixels = 40000 / (sources + 1);
     return pixels > 4000 ? 4000 : pixels < 400 ? 400 : pixels;
@@ -236,7 +195,7 @@ static int compare_lines(const void *a, const void *b)
 /* A scene that is being compared, and its picture by each of the integrators; a single one has another one beside it. */
 typedef struct compared_scene {
     const char *path;
-    ew_scene scene;
+    demo_scene scene;
     scene_rays rays;
     drawn_picture pictures[MAX_INTEGRATORS];
     size_t picture_count;
@@ -317,10 +276,12 @@ int main(int argc, char **argv)
 {
     command_line options = {.integrator_count = 1, .width = 512, .height = 512};
     char message[600];
-    /* Mesa's EGL would add lines of its own to the one that says why there is no context. */
-    setenv("EGL_LOG_LEVEL", "fatal", 0);
     named_integrator_find("adaptive:1e-3", &options.integrators[0]);
-    if (!read_options(argc, argv, &options)) return EXIT_BAD_INPUT;
+    if (!read_options(argc, argv, &options, message, sizeof message)) {
+        if (message[0] == '\0') return EXIT_SUCCESS;
+        fprintf(stderr, "ew-accuracy: %s\n", message);
+        return EXIT_BAD_INPUT;
+    }
     gl_context *context = context_create(options.backend, message, sizeof message);
     if (!context) {
         printf("SKIPPED: %s\n", message);

@@ -2,6 +2,7 @@
  * ew-accuracy-random: the library's luminance of thousands of random scenes against the double-precision reference, at a few
  * dozen pixels of each.
  */
+#include "command_line.h"
 #include "context.h"
 #include "core_pixels.h"
 #include "field_drawer.h"
@@ -12,7 +13,6 @@
 #include "scene_file.h"
 #include "scene_rays.h"
 
-#include <getopt.h>
 #include <math.h>
 #include <pthread.h>
 #include <stdatomic.h>
@@ -59,11 +59,11 @@ static const char help[] =
     "Exit status: 0; 1 for a failure; 2 for bad input; 77 if there is no such context.\n";
 
 typedef struct command_line {
-    size_t scenes;
+    int scenes;
     unsigned long long seed;
     int kind; /* -1 for all */
     named_integrator integrator;
-    size_t worst;
+    int worst;
     context_backend backend;
     const char *write;
     bool check;
@@ -95,7 +95,7 @@ typedef struct window_stage {
 } window_stage;
 
 typedef struct window_scene {
-    ew_scene scene;
+    demo_scene scene;
     scene_rays rays;
 } window_scene;
 
@@ -399,76 +399,54 @@ static bool report_worst_first(const random_picture *pictures, size_t count, siz
 
 /* ---- The command line --------------------------------------------------------------------------------------------------- */
 
-static bool read_number(const char *text, unsigned long long most, unsigned long long *number)
+static bool read_scene_count(const char *text, void *target)
+{
+    return read_number(text, 1, MAX_SCENES, target);
+}
+
+static bool read_worst(const char *text, void *target)
+{
+    return read_number(text, 0, MAX_SCENES, target);
+}
+
+static bool read_seed(const char *text, void *target)
 {
     char *end;
-    *number = strtoull(text, &end, 10);
-    return *text >= '0' && *text <= '9' && *end == '\0' && *number <= most;
+    *(unsigned long long *)target = strtoull(text, &end, 10);
+    return *text >= '0' && *text <= '9' && *end == '\0';
 }
 
-/* The index of `text` in a list of names; -1 if it is not there. */
-static int find_name(const char *const *names, int count, const char *text)
+static bool read_kind(const char *text, void *target)
 {
-    for (int i = 0; i < count && names[i]; i++)
-        if (strcmp(names[i], text) == 0) return i;
-    return -1;
+    int *kind = target;
+    for (*kind = 0; *kind < RANDOM_SCENE_KIND_COUNT; ++*kind)
+        if (strcmp(random_scene_kind_names[*kind], text) == 0) return true;
+    return false;
 }
 
-/* Returns false for bad input; getopt has said why where it is an option that does not exist. */
-static bool read_options(int argc, char **argv, command_line *options)
+static bool read_named_integrator(const char *text, void *target)
 {
-    static const struct option long_options[] = {
-        {"scenes", required_argument, NULL, 'n'}, {"seed", required_argument, NULL, 's'},
-        {"kind", required_argument, NULL, 'k'},   {"integrator", required_argument, NULL, 'i'},
-        {"worst", required_argument, NULL, 'w'},  {"backend", required_argument, NULL, 'b'},
-        {"write", required_argument, NULL, 'o'},  {"check", no_argument, NULL, 'c'},
-        {"help", no_argument, NULL, 'h'},         {NULL, 0, NULL, 0}};
-    for (int option; (option = getopt_long(argc, argv, "", long_options, NULL)) != -1;) {
-        bool ok = true;
-        unsigned long long number = 0;
-        int index = 0;
-        switch (option) {
-        case 'n':
-            ok = read_number(optarg, MAX_SCENES, &number) && number > 0;
-            options->scenes = (size_t)number;
-            break;
-        case 's':
-            ok = read_number(optarg, ~0ull, &options->seed);
-            break;
-        case 'k':
-            options->kind = find_name(random_scene_kind_names, RANDOM_SCENE_KIND_COUNT, optarg);
-            ok = options->kind >= 0;
-            break;
-        case 'i':
-            ok = named_integrator_find(optarg, &options->integrator);
-            break;
-        case 'w':
-            ok = read_number(optarg, MAX_SCENES, &number);
-            options->worst = (size_t)number;
-            break;
-        case 'b':
-            ok = (index = find_name(context_backend_names, 8, optarg)) >= 0;
-            options->backend = (context_backend)index;
-            break;
-        case 'o':
-            options->write = optarg;
-            break;
-        case 'c':
-            options->check = true;
-            break;
-        case 'h':
-            fputs(help, stdout);
-            exit(EXIT_SUCCESS);
-        default:
-            return false;
-        }
-        if (!ok) {
-            fprintf(stderr, "ew-accuracy-random: \"%s\" is not what the option takes; see --help\n", optarg);
-            return false;
-        }
-    }
+    return named_integrator_find(text, target);
+}
+
+/* Returns false with a message, or with an empty one where the options asked for a text that has been printed. */
+static bool read_options(int argc, char **argv, command_line *options, char *message, size_t size)
+{
+    const command_option table[] = {
+        {"scenes", 0, read_scene_count, &options->scenes, "must be a number of scenes"},
+        {"seed", 0, read_seed, &options->seed, "must be a number"},
+        {"kind", 0, read_kind, &options->kind, "must be a kind of scene"},
+        {"integrator", 0, read_named_integrator, &options->integrator,
+         "must be adaptive:1e-2, adaptive:1e-3, adaptive:1e-4 or simpson:N, N even"},
+        {"worst", 0, read_worst, &options->worst, "must be a number of scenes"},
+        {"backend", 0, read_backend, &options->backend, BACKEND_REMEDY},
+        {"write", 0, read_text, &options->write, NULL},
+        {"check", 0, NULL, &options->check, NULL},
+    };
+    const command_program program = {"ew-accuracy-random", help, table, sizeof table / sizeof *table};
+    if (!command_line_read(argc, argv, &program, message, size)) return false;
     if (optind == argc) return true;
-    fprintf(stderr, "ew-accuracy-random: %s: is not an option; see --help\n", argv[optind]);
+    snprintf(message, size, "%s: is not an option; see ew-accuracy-random --help", argv[optind]);
     return false;
 }
 
@@ -489,10 +467,12 @@ int main(int argc, char **argv)
     command_line options = {.scenes = 2000, .seed = 1, .kind = -1, .worst = 20};
     char message[600];
     named_integrator_find("adaptive:1e-3", &options.integrator);
-    if (!read_options(argc, argv, &options)) return EXIT_BAD_INPUT;
+    if (!read_options(argc, argv, &options, message, sizeof message)) {
+        if (message[0] == '\0') return EXIT_SUCCESS;
+        fprintf(stderr, "ew-accuracy-random: %s\n", message);
+        return EXIT_BAD_INPUT;
+    }
     if (options.write) return write_scene(&options);
-    /* Mesa's EGL would add lines of its own to the one that says why there is no context. */
-    setenv("EGL_LOG_LEVEL", "fatal", 0);
     gl_context *context = context_create(options.backend, message, sizeof message);
     if (!context) {
         printf("SKIPPED: %s\n", message);
@@ -500,11 +480,11 @@ int main(int argc, char **argv)
     }
     puts(context_description(context));
 
-    random_picture *pictures = calloc(options.scenes, sizeof *pictures);
+    random_picture *pictures = calloc((size_t)options.scenes, sizeof *pictures);
     snprintf(message, sizeof message, "memory is exhausted");
     bool ok = pictures, well = false;
     size_t count = 0;
-    for (size_t i = 0; ok && i < options.scenes; i++) {
+    for (size_t i = 0; ok && i < (size_t)options.scenes; i++) {
         random_scene_kind kind = random_scene_kind_of(options.seed + i);
         if (options.kind < 0 || (int)kind == options.kind)
             pictures[count++] = (random_picture){.seed = options.seed + i, .kind = kind};
@@ -512,7 +492,8 @@ int main(int argc, char **argv)
     ok = ok && draw_pictures(context, &options.integrator.settings, pictures, count, message, sizeof message);
     if (ok) {
         snprintf(message, sizeof message, "memory is exhausted");
-        ok = compute_all_truths(pictures, count) && report_worst_first(pictures, count, options.worst, options.check, &well);
+        ok = compute_all_truths(pictures, count) &&
+             report_worst_first(pictures, count, (size_t)options.worst, options.check, &well);
     }
     free(pictures);
     context_destroy(context);

@@ -29,7 +29,7 @@ enum { SIDE = 48, PIXEL_COUNT = SIDE * SIDE };
 
 typedef struct stage {
     const char *path;
-    const ew_scene *scene;
+    const demo_scene *scene;
     scene_rays rays;
     field_drawer drawer;
     float depth[PIXEL_COUNT];
@@ -161,7 +161,7 @@ static bool moves_rigidly(stage *s, const luminance_sum *whole)
     bool ok = points && lines && tori && curves;
     if (ok) {
         luminance_sum moved = {{0}, {0}};
-        ew_scene scene = *s->scene;
+        demo_scene scene = *s->scene;
         stage other = {.path = s->path, .scene = &scene, .drawer = s->drawer};
         move_sources(&motion, points, lines, tori, curves, sources);
         scene.sources.points = points;
@@ -208,7 +208,7 @@ static bool depth_may_be_reversed(stage *s, const luminance_sum *whole)
  * alpha / (b - a) du / (u + (a + beta) / (b - a))^2. */
 static bool interval_splits(stage *s, const luminance_sum *whole, double share)
 {
-    const ew_scene *scene = s->scene;
+    const demo_scene *scene = s->scene;
     const double ends[] = {0, share, 1};
     luminance_sum parts = {{0}, {0}};
     for (int part = 0; part < 2; part++) {
@@ -400,7 +400,7 @@ static bool check_relations(stage *s)
 static bool check_scene(gl_context *context, ew_effect *effect, const char *path, bool *wrong)
 {
     char message[400];
-    ew_scene scene;
+    demo_scene scene;
     static stage s;
     s = (stage){.path = path, .scene = &scene};
     if (!scene_load(path, &scene, message, sizeof message)) {

@@ -4,7 +4,7 @@
 
 #include <stdlib.h>
 
-static bool draw_luminance(gl_context *context, const ew_scene *scene, const render_settings *settings,
+static bool draw_luminance(gl_context *context, const demo_scene *scene, const render_settings *settings,
                            const render_target *target, ew_error *error)
 {
     const gl_functions *gl = context_gl(context);
@@ -30,7 +30,7 @@ static void read_pixels(const gl_functions *gl, GLuint framebuffer, const render
     gl->BindFramebuffer(GL_FRAMEBUFFER, 0);
 }
 
-bool picture_draw(gl_context *context, const ew_scene *scene, const render_settings *settings, drawn_picture *picture,
+bool picture_draw(gl_context *context, const demo_scene *scene, const render_settings *settings, drawn_picture *picture,
                   char *message, size_t size)
 {
     const gl_functions *gl = context_gl(context);

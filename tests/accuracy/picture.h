@@ -20,7 +20,7 @@ typedef struct drawn_picture {
 } drawn_picture;
 
 /* Draws the scene on `context` by the settings. On failure returns false, with a message and nothing to free. */
-bool picture_draw(gl_context *context, const ew_scene *scene, const render_settings *settings, drawn_picture *picture,
+bool picture_draw(gl_context *context, const demo_scene *scene, const render_settings *settings, drawn_picture *picture,
                   char *message, size_t size);
 
 void picture_free(drawn_picture *picture);

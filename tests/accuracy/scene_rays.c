@@ -14,7 +14,7 @@ static void *copy_list(const void *list, size_t count, size_t size)
     return copy;
 }
 
-bool scene_rays_create(const ew_scene *scene, int width, int height, scene_rays *rays)
+bool scene_rays_create(const demo_scene *scene, int width, int height, scene_rays *rays)
 {
     const ew_sources_desc *sources = &scene->sources;
     *rays = (scene_rays){

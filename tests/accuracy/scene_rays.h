@@ -13,7 +13,7 @@
 #include <stdbool.h>
 
 typedef struct scene_rays {
-    ew_scene_camera camera;
+    scene_camera camera;
     double right[3], up[3], forward[3]; /* unit, in the world */
     double interval_start, interval_end;
     double decay_alpha, decay_beta;
@@ -23,7 +23,7 @@ typedef struct scene_rays {
 } scene_rays;
 
 /* Returns false, and nothing to free, where memory is exhausted. */
-bool scene_rays_create(const ew_scene *scene, int width, int height, scene_rays *rays);
+bool scene_rays_create(const demo_scene *scene, int width, int height, scene_rays *rays);
 void scene_rays_free(scene_rays *rays);
 
 /* The ray through (x, y) in pixels from the lower left corner (pixel centres are at halves), up to where it meets what lies

@@ -13,11 +13,11 @@
 
 #include <ctype.h>
 #include <errno.h>
-#include <getopt.h>
 #include <glob.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 enum { EXIT_BAD_INPUT = 2, MAX_REPETITIONS = 1000, MAX_ERROR_SAMPLES = 1000000 };
 
@@ -55,88 +55,46 @@ typedef struct command_line {
 
 /* ---- Options ------------------------------------------------------------------------------------------------------------ */
 
-/* A name that is safe in any file's name and in a Markdown link. */
-static bool is_plain_name(const char *text)
+/* `target` is the command_line. */
+static bool read_target_size(const char *text, void *target)
 {
-    size_t length = strlen(text);
-    return length > 0 && length <= 60 &&
-           strspn(text, "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_") == length;
+    command_line *options = target;
+    return read_size(text, &options->width, &options->height);
 }
 
-enum {
-    OPTION_SIZE = 256,
-    OPTION_INTEGRATORS,
-    OPTION_REPETITIONS,
-    OPTION_ERROR_SAMPLES,
-    OPTION_CSV,
-    OPTION_REPORT,
-    OPTION_NAME,
-    OPTION_BACKEND,
-    OPTION_HELP
-};
+static bool read_repetitions(const char *text, void *target)
+{
+    return read_number(text, MEASURE_MIN_REPETITIONS, MAX_REPETITIONS, target);
+}
 
-static const struct option long_options[] = {{"size", required_argument, NULL, OPTION_SIZE},
-                                             {"integrators", required_argument, NULL, OPTION_INTEGRATORS},
-                                             {"repetitions", required_argument, NULL, OPTION_REPETITIONS},
-                                             {"error-samples", required_argument, NULL, OPTION_ERROR_SAMPLES},
-                                             {"csv", required_argument, NULL, OPTION_CSV},
-                                             {"report", required_argument, NULL, OPTION_REPORT},
-                                             {"name", required_argument, NULL, OPTION_NAME},
-                                             {"backend", required_argument, NULL, OPTION_BACKEND},
-                                             {"help", no_argument, NULL, OPTION_HELP},
-                                             {NULL, 0, NULL, 0}};
+static bool read_error_samples(const char *text, void *target)
+{
+    return read_number(text, 1, MAX_ERROR_SAMPLES, target);
+}
+
+/* A name that is safe in any file's name and in a Markdown link. */
+static bool read_plain_name(const char *text, void *target)
+{
+    size_t length = strlen(text);
+    return length > 0 && length <= 60 && read_text(text, target) &&
+           strspn(text, "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_") == length;
+}
 
 /* Returns whether there is something to do; where there is not, a message if the command line is at fault. */
 static bool read_options(int argc, char **argv, command_line *options, char *message, size_t size)
 {
-    message[0] = '\0';
-    opterr = 0;
-    for (int option; (option = getopt_long(argc, argv, ":h", long_options, NULL)) != -1;) {
-        bool ok = true;
-        const char *remedy = "";
-        switch (option) {
-        case OPTION_SIZE:
-            ok = read_size(optarg, &options->width, &options->height);
-            remedy = "--size: " SIZE_REMEDY;
-            break;
-        case OPTION_INTEGRATORS:
-            options->integrators = optarg;
-            break;
-        case OPTION_REPETITIONS:
-            ok = read_number(optarg, MEASURE_MIN_REPETITIONS, MAX_REPETITIONS, &options->repetitions);
-            remedy = "--repetitions: must be from 3 to 1000";
-            break;
-        case OPTION_ERROR_SAMPLES:
-            ok = read_number(optarg, 1, MAX_ERROR_SAMPLES, &options->error_samples);
-            remedy = "--error-samples: must be from 1 to 1000000";
-            break;
-        case OPTION_CSV:
-            options->csv = optarg;
-            break;
-        case OPTION_REPORT:
-            options->report = optarg;
-            break;
-        case OPTION_NAME:
-            options->name = optarg;
-            ok = is_plain_name(optarg);
-            remedy = "--name: must be of letters, digits, - and _, 60 at most";
-            break;
-        case OPTION_BACKEND:
-            ok = read_backend(optarg, &options->backend);
-            remedy = "--backend: " BACKEND_REMEDY;
-            break;
-        case OPTION_HELP:
-        case 'h':
-            fputs(help, stdout);
-            return false;
-        default:
-            return refuse_option(option, argv, "ew-bench", message, size);
-        }
-        if (!ok) {
-            message_write(message, size, "%s, not \"%s\"", remedy, optarg);
-            return false;
-        }
-    }
+    const command_option table[] = {
+        {"size", 0, read_target_size, options, SIZE_REMEDY},
+        {"integrators", 0, read_text, &options->integrators, NULL},
+        {"repetitions", 0, read_repetitions, &options->repetitions, "must be from 3 to 1000"},
+        {"error-samples", 0, read_error_samples, &options->error_samples, "must be from 1 to 1000000"},
+        {"csv", 0, read_text, &options->csv, NULL},
+        {"report", 0, read_text, &options->report, NULL},
+        {"name", 0, read_plain_name, &options->name, "must be of letters, digits, - and _, 60 at most"},
+        {"backend", 0, read_backend, &options->backend, BACKEND_REMEDY},
+    };
+    const command_program program = {"ew-bench", help, table, sizeof table / sizeof *table};
+    if (!command_line_read(argc, argv, &program, message, size)) return false;
     options->scenes = argv + optind;
     options->scene_count = (size_t)(argc - optind);
     if (!options->name || options->report) return true;
@@ -184,7 +142,7 @@ static bool measure_all_scenes(gl_context *context, bench_results *results, FILE
     for (size_t i = 0; i < results->scene_count; i++) {
         bench_scene *bench = &results->scenes[i];
         char reason[400];
-        ew_scene scene;
+        demo_scene scene;
         if (!scene_load(bench->path, &scene, message, size)) return false;
         bool ok = measure_scene(context, &scene, bench->name, &results->settings, &bench->measurements, reason, sizeof reason);
         scene_free(&scene);
@@ -256,8 +214,6 @@ int main(int argc, char **argv)
                             .error_samples = 4096,
                             .backend = CONTEXT_AUTO};
     char message[600];
-    /* Mesa's EGL would add lines of its own to the one that says why there is no context. */
-    setenv("EGL_LOG_LEVEL", "fatal", 0);
     if (!read_options(argc, argv, &options, message, sizeof message)) {
         if (message[0] == '\0') return EXIT_SUCCESS;
     } else {

@@ -87,7 +87,7 @@ static bool measure_errors(bench_stage *stage, error_stage *errors, const bench_
     return true;
 }
 
-static bool measure_all_errors(bench_stage *stage, const ew_scene *scene, const char *name, const measure_settings *settings,
+static bool measure_all_errors(bench_stage *stage, const demo_scene *scene, const char *name, const measure_settings *settings,
                                scene_measurements *measurements, char *message, size_t size)
 {
     error_stage errors;
@@ -198,7 +198,7 @@ static bool measure_all_times(gl_context *context, bench_stage *stage, const cha
     return ok;
 }
 
-bool measure_scene(gl_context *context, const ew_scene *scene, const char *name, const measure_settings *settings,
+bool measure_scene(gl_context *context, const demo_scene *scene, const char *name, const measure_settings *settings,
                    scene_measurements *measurements, char *message, size_t size)
 {
     bench_stage stage;

@@ -39,7 +39,7 @@ typedef struct scene_measurements {
 
 /* Measures all of the integrators in turns, so that whatever slows the machine down for a while hits all alike. `name` is the
  * scene's, for the line that tells of the progress. On failure returns false, with a message and nothing to free. */
-bool measure_scene(gl_context *context, const ew_scene *scene, const char *name, const measure_settings *settings,
+bool measure_scene(gl_context *context, const demo_scene *scene, const char *name, const measure_settings *settings,
                    scene_measurements *measurements, char *message, size_t size);
 
 void measure_free(scene_measurements *measurements);

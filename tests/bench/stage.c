@@ -3,7 +3,7 @@
 #include "message.h"
 #include "opaque.h"
 
-static bool draw_opaque(bench_stage *stage, const ew_scene *scene, char *message, size_t size)
+static bool draw_opaque(bench_stage *stage, const demo_scene *scene, char *message, size_t size)
 {
     const gl_functions *gl = stage->gl;
     gl->BindFramebuffer(GL_FRAMEBUFFER, stage->target.opaque_framebuffer);
@@ -12,7 +12,7 @@ static bool draw_opaque(bench_stage *stage, const ew_scene *scene, char *message
     return ok;
 }
 
-static bool create_effect(bench_stage *stage, gl_context *context, const ew_scene *scene, char *message, size_t size)
+static bool create_effect(bench_stage *stage, gl_context *context, const demo_scene *scene, char *message, size_t size)
 {
     ew_error error;
     ew_effect_desc desc = {.get_proc_address = context_get_proc_address, .user = context};
@@ -22,7 +22,7 @@ static bool create_effect(bench_stage *stage, gl_context *context, const ew_scen
     return false;
 }
 
-bool stage_create(gl_context *context, const ew_scene *scene, int width, int height, bench_stage *stage, char *message,
+bool stage_create(gl_context *context, const demo_scene *scene, int width, int height, bench_stage *stage, char *message,
                   size_t size)
 {
     const render_settings settings = {.width = width, .height = height};

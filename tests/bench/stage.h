@@ -22,7 +22,7 @@ typedef struct bench_stage {
 
 /* Draws the scene's opaque shapes; where there are none, no depth is read by anyone. On failure returns false, with a message
  * and nothing to destroy. */
-bool stage_create(gl_context *context, const ew_scene *scene, int width, int height, bench_stage *stage, char *message,
+bool stage_create(gl_context *context, const demo_scene *scene, int width, int height, bench_stage *stage, char *message,
                   size_t size);
 void stage_destroy(bench_stage *stage);
 

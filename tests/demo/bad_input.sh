@@ -1,5 +1,5 @@
 #!/bin/sh
-# On bad input, ew-demo prints one line that names the option and what to correct, exits with status 2, and writes nothing.
+# On bad input ew-demo says on one line which option to mend and how, exits with status 2, and writes nothing.
 # Usage: bad_input.sh EW_DEMO EW_RENDER SCENES VERSION
 ew_demo=$1
 . "$(dirname "$0")/../checks.sh"
@@ -21,10 +21,10 @@ refuses() {
 
 refuses '--size: must be WIDTHxHEIGHT' --size 640
 refuses '--samples: must be a number from 1 to 4' --samples 5
-refuses '--frames: must be two numbers' --offscreen --frames 5-3 -o %d.png
-refuses '--frames: must be two numbers' --offscreen --frames -3 -o %d.png
+refuses '--frames: must be two frame numbers' --offscreen --frames 5-3 -o %d.png
+refuses '--frames: must be two frame numbers' --offscreen --frames -3 -o %d.png
 refuses '--fps: must be a number from 1 to 240' --offscreen --fps 0 -o %d.png
-refuses '--offscreen: no output is asked for' --offscreen
+refuses '--offscreen: no output is requested' --offscreen
 refuses 'add --offscreen' -o frame%d.png
 refuses 'add --offscreen' --video demo.mp4
 refuses 'let it end in .png' --offscreen -o frame%d.jpg

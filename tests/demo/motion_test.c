@@ -1,4 +1,4 @@
-/* The demo's animation has no jump at any time, its camera none under the hand; both without a window. */
+/* Neither the demo's animation nor a camera that the user moves ever jumps. */
 #include "../unit/check.h"
 #include "animation.h"
 #include "camera_control.h"
@@ -13,7 +13,7 @@ static double distance(const double a[3], const double b[3])
     return vector_length(difference);
 }
 
-/* How far the light of a curve changes: its coefficient times its weights; and, as long as it has any, its place. */
+/* How much a curve changes: in its light, the coefficient times the weights; and while it has light, in its position. */
 static double curve_change(const ew_curve *a, const ew_curve *b)
 {
     double change = 0;
@@ -72,7 +72,7 @@ static void a_time_has_one_scene_whatever_was_before(void **state)
     free(c);
 }
 
-static const ew_scene scene = {
+static const demo_scene scene = {
     .camera = {.eye = {0, 0, 8}, .target = {0, 0, 0}, .up = {0, 1, 0}, .height = 2, .near_depth = 0.1},
     .interval_start = 3,
     .interval_end = 15};
@@ -81,7 +81,7 @@ static void the_camera_is_the_scenes_until_it_is_moved(void **state)
 {
     (void)state;
     camera_control control = {0};
-    ew_scene seen = camera_control_scene(&control, &scene, true);
+    demo_scene seen = camera_control_scene(&control, &scene, true);
     check_close(distance(seen.camera.eye, scene.camera.eye), 0, 0);
     check_close(seen.interval_start, 3, 0);
     camera_control_look(&control, &scene, 0, 0);
@@ -128,7 +128,7 @@ static void the_interval_stays_around_what_is_looked_at(void **state)
     (void)state;
     camera_control control = {0};
     camera_control_approach(&control, &scene, 2);
-    ew_scene seen = camera_control_scene(&control, &scene, true);
+    demo_scene seen = camera_control_scene(&control, &scene, true);
     check_close(seen.camera.eye[2], 4, 1e-12);
     check_close(seen.camera.height, 1, 1e-12);
     check_close(seen.interval_start, 0.1, 1e-12);

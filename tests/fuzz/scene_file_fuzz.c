@@ -21,7 +21,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
         }                                                                                                                      \
     } while (0)
 
-static void check_mesh(const ew_scene *scene)
+static void check_mesh(const demo_scene *scene)
 {
     opaque_mesh mesh;
     require(opaque_make_mesh(scene, &mesh));
@@ -45,7 +45,7 @@ static void check_refusal(const char *message, size_t size)
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
     enum { FEW_SHAPES = 16 }; /* spheres have so many triangles that more would slow the fuzzer down and show nothing new */
-    ew_scene scene;
+    demo_scene scene;
     char message[256];
     memset(message, 'x', sizeof message);
     if (!scene_parse((const char *)data, size, "name", &scene, message, sizeof message)) {

@@ -1,4 +1,4 @@
-/* Loading the tests' own GL functions. */
+/* The tests' GL functions: see api.h. */
 #include "api.h"
 #include "host/gl.h"
 
@@ -7,14 +7,14 @@
 
 struct api gl;
 
-static void (*load(test_context *context, const char *name, int es_version, const char *es_suffix))(void)
+static void (*load(gl_context *context, const char *name, int es_version, const char *es_suffix))(void)
 {
     char full_name[64];
     snprintf(full_name, sizeof full_name, "gl%s%s", name, gl.es && gl.version < es_version ? es_suffix : "");
-    return test_context_get_proc_address(context, full_name);
+    return context_get_proc_address(context, full_name);
 }
 
-void api_load(test_context *context)
+void api_load(gl_context *context)
 {
     memset(&gl, 0, sizeof gl);
     gl.GetString = (PFNGLGETSTRINGPROC)load(context, "GetString", 0, "");
@@ -23,6 +23,9 @@ void api_load(test_context *context)
     gl.es = sscanf(version, "OpenGL ES %d.%d", &major, &minor) == 2;
     if (!gl.es) sscanf(version, "%d.%d", &major, &minor);
     gl.version = 10 * major + minor;
+#define GL_LOAD(type, name) gl.name = (type)load(context, #name, 0, "");
+    GL_FUNCTIONS(GL_LOAD)
+#undef GL_LOAD
 #define API_LOAD(type, name, es_version, es_suffix) gl.name = (type)load(context, #name, es_version, es_suffix);
     API_FUNCTIONS(API_LOAD)
     GLint profile = 0;

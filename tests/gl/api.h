@@ -1,27 +1,20 @@
-/* The GL functions that the tests call, loaded apart from the library's own, and what the current context can do. */
+/* The GL functions that the tests call, loaded apart from the library's own, and what the current context can do. The functions
+ * of GL_FUNCTIONS are among them. */
 #ifndef TEST_API_H
 #define TEST_API_H
 
 #include "context.h"
 
-#include <GL/glcorearb.h>
-
-/* X(type, name, es_version, es_suffix): from `es_version` on, OpenGL ES has it without the suffix. */
+/* The functions that only the tests call. X(type, name, es_version, es_suffix): OpenGL ES has it without the suffix from
+ * `es_version` on. */
 #define API_FUNCTIONS(X)                                                                                                       \
-    X(PFNGLACTIVETEXTUREPROC, ActiveTexture, 0, "")                                                                            \
-    X(PFNGLATTACHSHADERPROC, AttachShader, 0, "")                                                                              \
-    X(PFNGLBEGINQUERYPROC, BeginQuery, 0, "")                                                                                  \
     X(PFNGLBEGINTRANSFORMFEEDBACKPROC, BeginTransformFeedback, 0, "")                                                          \
-    X(PFNGLBINDBUFFERPROC, BindBuffer, 0, "")                                                                                  \
     X(PFNGLBINDBUFFERBASEPROC, BindBufferBase, 0, "")                                                                          \
     X(PFNGLBINDBUFFERRANGEPROC, BindBufferRange, 0, "")                                                                        \
-    X(PFNGLBINDFRAMEBUFFERPROC, BindFramebuffer, 0, "")                                                                        \
     X(PFNGLBINDPROGRAMPIPELINEPROC, BindProgramPipeline, 31, "EXT")                                                            \
     X(PFNGLBINDRENDERBUFFERPROC, BindRenderbuffer, 0, "")                                                                      \
     X(PFNGLBINDSAMPLERPROC, BindSampler, 0, "")                                                                                \
-    X(PFNGLBINDTEXTUREPROC, BindTexture, 0, "")                                                                                \
     X(PFNGLBINDTRANSFORMFEEDBACKPROC, BindTransformFeedback, 0, "")                                                            \
-    X(PFNGLBINDVERTEXARRAYPROC, BindVertexArray, 0, "")                                                                        \
     X(PFNGLBLENDCOLORPROC, BlendColor, 0, "")                                                                                  \
     X(PFNGLBLENDEQUATIONPROC, BlendEquation, 0, "")                                                                            \
     X(PFNGLBLENDEQUATIONSEPARATEPROC, BlendEquationSeparate, 0, "")                                                            \
@@ -29,77 +22,44 @@
     X(PFNGLBLENDEQUATIONIPROC, BlendEquationi, 32, "OES")                                                                      \
     X(PFNGLBLENDFUNCSEPARATEPROC, BlendFuncSeparate, 0, "")                                                                    \
     X(PFNGLBLENDFUNCSEPARATEIPROC, BlendFuncSeparatei, 32, "OES")                                                              \
-    X(PFNGLBLITFRAMEBUFFERPROC, BlitFramebuffer, 0, "")                                                                        \
-    X(PFNGLBUFFERDATAPROC, BufferData, 0, "")                                                                                  \
-    X(PFNGLCHECKFRAMEBUFFERSTATUSPROC, CheckFramebufferStatus, 0, "")                                                          \
     X(PFNGLCLAMPCOLORPROC, ClampColor, 0, "")                                                                                  \
     X(PFNGLCLEARPROC, Clear, 0, "")                                                                                            \
     X(PFNGLCLEARBUFFERFIPROC, ClearBufferfi, 0, "")                                                                            \
-    X(PFNGLCLEARBUFFERFVPROC, ClearBufferfv, 0, "")                                                                            \
     X(PFNGLCLEARCOLORPROC, ClearColor, 0, "")                                                                                  \
     X(PFNGLCLEARDEPTHFPROC, ClearDepthf, 0, "")                                                                                \
     X(PFNGLCLEARSTENCILPROC, ClearStencil, 0, "")                                                                              \
     X(PFNGLCLIPCONTROLPROC, ClipControl, 99, "EXT")                                                                            \
     X(PFNGLCOLORMASKPROC, ColorMask, 0, "")                                                                                    \
     X(PFNGLCOLORMASKIPROC, ColorMaski, 32, "OES")                                                                              \
-    X(PFNGLCOMPILESHADERPROC, CompileShader, 0, "")                                                                            \
-    X(PFNGLCREATEPROGRAMPROC, CreateProgram, 0, "")                                                                            \
-    X(PFNGLCREATESHADERPROC, CreateShader, 0, "")                                                                              \
     X(PFNGLCULLFACEPROC, CullFace, 0, "")                                                                                      \
     X(PFNGLDEBUGMESSAGECALLBACKPROC, DebugMessageCallback, 32, "KHR")                                                          \
-    X(PFNGLDELETEBUFFERSPROC, DeleteBuffers, 0, "")                                                                            \
-    X(PFNGLDELETEFRAMEBUFFERSPROC, DeleteFramebuffers, 0, "")                                                                  \
-    X(PFNGLDELETEPROGRAMPROC, DeleteProgram, 0, "")                                                                            \
     X(PFNGLDELETERENDERBUFFERSPROC, DeleteRenderbuffers, 0, "")                                                                \
     X(PFNGLDELETESAMPLERSPROC, DeleteSamplers, 0, "")                                                                          \
-    X(PFNGLDELETESHADERPROC, DeleteShader, 0, "")                                                                              \
-    X(PFNGLDELETETEXTURESPROC, DeleteTextures, 0, "")                                                                          \
-    X(PFNGLDELETEVERTEXARRAYSPROC, DeleteVertexArrays, 0, "")                                                                  \
     X(PFNGLDEPTHFUNCPROC, DepthFunc, 0, "")                                                                                    \
     X(PFNGLDEPTHMASKPROC, DepthMask, 0, "")                                                                                    \
     X(PFNGLDEPTHRANGEINDEXEDPROC, DepthRangeIndexed, 0, "")                                                                    \
     X(PFNGLDEPTHRANGEFPROC, DepthRangef, 0, "")                                                                                \
-    X(PFNGLDISABLEPROC, Disable, 0, "")                                                                                        \
     X(PFNGLDISABLEVERTEXATTRIBARRAYPROC, DisableVertexAttribArray, 0, "")                                                      \
     X(PFNGLDISABLEIPROC, Disablei, 32, "OES")                                                                                  \
-    X(PFNGLDRAWARRAYSPROC, DrawArrays, 0, "")                                                                                  \
     X(PFNGLDRAWBUFFERSPROC, DrawBuffers, 0, "")                                                                                \
-    X(PFNGLENABLEPROC, Enable, 0, "")                                                                                          \
-    X(PFNGLENABLEVERTEXATTRIBARRAYPROC, EnableVertexAttribArray, 0, "")                                                        \
     X(PFNGLENABLEIPROC, Enablei, 32, "OES")                                                                                    \
-    X(PFNGLENDQUERYPROC, EndQuery, 0, "")                                                                                      \
     X(PFNGLENDTRANSFORMFEEDBACKPROC, EndTransformFeedback, 0, "")                                                              \
-    X(PFNGLFINISHPROC, Finish, 0, "")                                                                                          \
     X(PFNGLFRAMEBUFFERRENDERBUFFERPROC, FramebufferRenderbuffer, 0, "")                                                        \
-    X(PFNGLFRAMEBUFFERTEXTURE2DPROC, FramebufferTexture2D, 0, "")                                                              \
     X(PFNGLFRONTFACEPROC, FrontFace, 0, "")                                                                                    \
-    X(PFNGLGENBUFFERSPROC, GenBuffers, 0, "")                                                                                  \
-    X(PFNGLGENFRAMEBUFFERSPROC, GenFramebuffers, 0, "")                                                                        \
     X(PFNGLGENPROGRAMPIPELINESPROC, GenProgramPipelines, 31, "EXT")                                                            \
-    X(PFNGLGENQUERIESPROC, GenQueries, 0, "")                                                                                  \
     X(PFNGLGENRENDERBUFFERSPROC, GenRenderbuffers, 0, "")                                                                      \
     X(PFNGLGENSAMPLERSPROC, GenSamplers, 0, "")                                                                                \
-    X(PFNGLGENTEXTURESPROC, GenTextures, 0, "")                                                                                \
     X(PFNGLGENTRANSFORMFEEDBACKSPROC, GenTransformFeedbacks, 0, "")                                                            \
-    X(PFNGLGENVERTEXARRAYSPROC, GenVertexArrays, 0, "")                                                                        \
     X(PFNGLGETBUFFERPARAMETERIVPROC, GetBufferParameteriv, 0, "")                                                              \
-    X(PFNGLGETERRORPROC, GetError, 0, "")                                                                                      \
     X(PFNGLGETFLOATI_VPROC, GetFloati_v, 99, "OES")                                                                            \
     X(PFNGLGETFLOATVPROC, GetFloatv, 0, "")                                                                                    \
     X(PFNGLGETFRAMEBUFFERATTACHMENTPARAMETERIVPROC, GetFramebufferAttachmentParameteriv, 0, "")                                \
     X(PFNGLGETINTEGER64I_VPROC, GetInteger64i_v, 0, "")                                                                        \
     X(PFNGLGETINTEGERI_VPROC, GetIntegeri_v, 0, "")                                                                            \
-    X(PFNGLGETINTEGERVPROC, GetIntegerv, 0, "")                                                                                \
-    X(PFNGLGETPROGRAMINFOLOGPROC, GetProgramInfoLog, 0, "")                                                                    \
-    X(PFNGLGETPROGRAMIVPROC, GetProgramiv, 0, "")                                                                              \
-    X(PFNGLGETQUERYOBJECTUIVPROC, GetQueryObjectuiv, 0, "")                                                                    \
-    X(PFNGLGETQUERYIVPROC, GetQueryiv, 0, "")                                                                                  \
     X(PFNGLGETSAMPLERPARAMETERIVPROC, GetSamplerParameteriv, 0, "")                                                            \
-    X(PFNGLGETSTRINGPROC, GetString, 0, "")                                                                                    \
     X(PFNGLGETSTRINGIPROC, GetStringi, 0, "")                                                                                  \
     X(PFNGLGETTEXPARAMETERIVPROC, GetTexParameteriv, 0, "")                                                                    \
     X(PFNGLGETUNIFORMBLOCKINDEXPROC, GetUniformBlockIndex, 0, "")                                                              \
-    X(PFNGLGETUNIFORMLOCATIONPROC, GetUniformLocation, 0, "")                                                                  \
     X(PFNGLGETVERTEXATTRIBFVPROC, GetVertexAttribfv, 0, "")                                                                    \
     X(PFNGLGETVERTEXATTRIBIVPROC, GetVertexAttribiv, 0, "")                                                                    \
     X(PFNGLHINTPROC, Hint, 0, "")                                                                                              \
@@ -111,19 +71,16 @@
     X(PFNGLISSAMPLERPROC, IsSampler, 0, "")                                                                                    \
     X(PFNGLISTEXTUREPROC, IsTexture, 0, "")                                                                                    \
     X(PFNGLLINEWIDTHPROC, LineWidth, 0, "")                                                                                    \
-    X(PFNGLLINKPROGRAMPROC, LinkProgram, 0, "")                                                                                \
     X(PFNGLLOGICOPPROC, LogicOp, 0, "")                                                                                        \
     X(PFNGLMINSAMPLESHADINGPROC, MinSampleShading, 32, "OES")                                                                  \
     X(PFNGLPATCHPARAMETERIPROC, PatchParameteri, 32, "OES")                                                                    \
     X(PFNGLPAUSETRANSFORMFEEDBACKPROC, PauseTransformFeedback, 0, "")                                                          \
-    X(PFNGLPIXELSTOREIPROC, PixelStorei, 0, "")                                                                                \
     X(PFNGLPOINTSIZEPROC, PointSize, 0, "")                                                                                    \
     X(PFNGLPOLYGONMODEPROC, PolygonMode, 0, "")                                                                                \
     X(PFNGLPOLYGONOFFSETPROC, PolygonOffset, 0, "")                                                                            \
     X(PFNGLPRIMITIVERESTARTINDEXPROC, PrimitiveRestartIndex, 0, "")                                                            \
     X(PFNGLPROVOKINGVERTEXPROC, ProvokingVertex, 0, "")                                                                        \
     X(PFNGLREADBUFFERPROC, ReadBuffer, 0, "")                                                                                  \
-    X(PFNGLREADPIXELSPROC, ReadPixels, 0, "")                                                                                  \
     X(PFNGLRENDERBUFFERSTORAGEPROC, RenderbufferStorage, 0, "")                                                                \
     X(PFNGLRENDERBUFFERSTORAGEMULTISAMPLEPROC, RenderbufferStorageMultisample, 0, "")                                          \
     X(PFNGLSAMPLECOVERAGEPROC, SampleCoverage, 0, "")                                                                          \
@@ -131,25 +88,17 @@
     X(PFNGLSAMPLERPARAMETERIPROC, SamplerParameteri, 0, "")                                                                    \
     X(PFNGLSCISSORPROC, Scissor, 0, "")                                                                                        \
     X(PFNGLSCISSORINDEXEDPROC, ScissorIndexed, 99, "OES")                                                                      \
-    X(PFNGLSHADERSOURCEPROC, ShaderSource, 0, "")                                                                              \
     X(PFNGLSTENCILFUNCSEPARATEPROC, StencilFuncSeparate, 0, "")                                                                \
     X(PFNGLSTENCILMASKSEPARATEPROC, StencilMaskSeparate, 0, "")                                                                \
     X(PFNGLSTENCILOPSEPARATEPROC, StencilOpSeparate, 0, "")                                                                    \
-    X(PFNGLTEXIMAGE2DPROC, TexImage2D, 0, "")                                                                                  \
     X(PFNGLTEXIMAGE2DMULTISAMPLEPROC, TexImage2DMultisample, 0, "")                                                            \
-    X(PFNGLTEXPARAMETERIPROC, TexParameteri, 0, "")                                                                            \
     X(PFNGLTEXSTORAGE2DMULTISAMPLEPROC, TexStorage2DMultisample, 0, "")                                                        \
     X(PFNGLTRANSFORMFEEDBACKVARYINGSPROC, TransformFeedbackVaryings, 0, "")                                                    \
-    X(PFNGLUNIFORM1FPROC, Uniform1f, 0, "")                                                                                    \
-    X(PFNGLUNIFORM1IPROC, Uniform1i, 0, "")                                                                                    \
     X(PFNGLUNIFORM4FPROC, Uniform4f, 0, "")                                                                                    \
     X(PFNGLUNIFORMBLOCKBINDINGPROC, UniformBlockBinding, 0, "")                                                                \
     X(PFNGLUNIFORMMATRIX3FVPROC, UniformMatrix3fv, 0, "")                                                                      \
-    X(PFNGLUSEPROGRAMPROC, UseProgram, 0, "")                                                                                  \
     X(PFNGLVERTEXATTRIB4FVPROC, VertexAttrib4fv, 0, "")                                                                        \
     X(PFNGLVERTEXATTRIBDIVISORPROC, VertexAttribDivisor, 0, "")                                                                \
-    X(PFNGLVERTEXATTRIBPOINTERPROC, VertexAttribPointer, 0, "")                                                                \
-    X(PFNGLVIEWPORTPROC, Viewport, 0, "")                                                                                      \
     X(PFNGLVIEWPORTINDEXEDFPROC, ViewportIndexedf, 99, "OES")
 
 /* Functions of the compatibility profile, which the core headers lack. */
@@ -179,6 +128,9 @@ typedef void(APIENTRYP api_get_environment)(GLenum, GLenum, GLint *);
 
 /* The functions of the context that was current at api_load. */
 extern struct api {
+#define GL_MEMBER(type, name) type name;
+    GL_FUNCTIONS(GL_MEMBER)
+#undef GL_MEMBER
 #define API_MEMBER(type, name, es_version, es_suffix) type name;
     API_FUNCTIONS(API_MEMBER)
     API_COMPATIBILITY_FUNCTIONS(API_MEMBER)
@@ -188,15 +140,15 @@ extern struct api {
     int version; /* 10 * major + minor */
 } gl;
 
-/* Loads `gl` for the current context. Contexts of the same kind share it. */
-void api_load(test_context *context);
+/* Loads `gl` for the current context. Contexts of the same kind share it. Functions that GL lacks are NULL. */
+void api_load(gl_context *context);
 
 enum { NEVER = 99 };
 
 /* Whether the context has what came with these versions of OpenGL and OpenGL ES, or with the extension (NULL for none). */
 bool api_has(int desktop_version, int es_version, const char *extension);
 
-/* Whether the context is a software rasteriser's, of which more can be expected than of all drivers. */
+/* Whether a software rasteriser draws: more can be expected of it than of drivers in general. */
 bool api_is_software(void);
 
 #endif

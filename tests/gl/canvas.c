@@ -1,4 +1,4 @@
-/* Renderbuffers and their framebuffer. */
+/* Framebuffers for tests: see canvas.h. */
 #include "canvas.h"
 
 #include <setjmp.h>
@@ -48,7 +48,7 @@ void canvas_destroy(canvas *made)
 void canvas_clear(const canvas *cleared, const GLfloat color[4])
 {
     gl.BindFramebuffer(GL_FRAMEBUFFER, cleared->framebuffer);
-    /* glClearBufferfv does not find the back buffer of Mesa's windows without a surface of their own. */
+    /* glClearBufferfv misses the back buffer of Mesa's windows without a surface. */
     gl.ClearColor(color[0], color[1], color[2], color[3]);
     gl.Clear(GL_COLOR_BUFFER_BIT);
 }
@@ -68,7 +68,7 @@ void canvas_read(const canvas *read, GLfloat *pixels)
     const bool is_float = read->color_format == GL_RGBA32F;
     const size_t count = (size_t)read->width * (size_t)read->height * 4;
     gl.BindFramebuffer(GL_FRAMEBUFFER, read->framebuffer);
-    /* Mesa's windows without a surface of their own draw to the back and read from the front. */
+    /* Mesa's windows without a surface draw to the back buffer, but read from the front buffer. */
     GLint drawn = GL_NONE;
     gl.GetIntegerv(GL_DRAW_BUFFER0, &drawn);
     gl.ReadBuffer((GLenum)drawn);

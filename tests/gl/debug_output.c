@@ -1,4 +1,4 @@
-/* Listening to KHR_debug. */
+/* What GL has to say: see debug_output.h. */
 #include "debug_output.h"
 
 #include "api.h"
@@ -12,7 +12,7 @@ static void APIENTRY on_message(GLenum source, GLenum type, GLuint id, GLenum se
                                 const void *user)
 {
     (void)source, (void)id, (void)length, (void)user;
-    /* That a hardware driver compiles a shader anew for the host's state is its own affair. */
+    /* Hardware drivers may compile a shader again for the host's state, and say so; that is no fault. */
     if (paused || (type == GL_DEBUG_TYPE_PERFORMANCE && !api_is_software())) return;
     if (severity != GL_DEBUG_SEVERITY_HIGH && severity != GL_DEBUG_SEVERITY_MEDIUM) return;
     fprintf(stderr, "GL says: %s\n", text);

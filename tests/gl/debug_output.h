@@ -2,10 +2,10 @@
 #ifndef TEST_DEBUG_OUTPUT_H
 #define TEST_DEBUG_OUTPUT_H
 
-/* Listens to the current context, where it can: prints the messages and counts those of all contexts. */
+/* Listens to the current context, if it supports that. Prints the messages, and counts those of all contexts. */
 void debug_output_watch(void);
 
-/* Between them, messages are expected, and neither printed nor counted. */
+/* Between these two calls messages are expected: they are neither printed nor counted. */
 void debug_output_pause(void);
 void debug_output_resume(void);
 

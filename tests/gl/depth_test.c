@@ -23,7 +23,7 @@ enum { WIDTH = GLOW_WIDTH, HEIGHT = GLOW_HEIGHT, SAMPLES = 4 };
 typedef GLfloat picture[HEIGHT][WIDTH][4];
 typedef GLfloat depths[HEIGHT][WIDTH];
 
-static test_context *context;
+static gl_context *context;
 static ew_effect *effect;
 static canvas target; /* RGBA32F, without depth */
 
@@ -901,9 +901,10 @@ static void depth_that_cannot_be_read_is_refused_by_name(void **unused)
 
 int main(int argc, char **argv)
 {
-    test_context_desc desc;
-    if (argc != 2 || !test_context_describe(argv[1], &desc)) return 2;
-    desc.window = !desc.osmesa;
+    context_desc desc;
+    if (argc != 2 || !describe_context(argv[1], &desc)) return 2;
+    desc.window_width = WIDTH;
+    desc.window_height = HEIGHT;
     if (strcmp(argv[1], "gl45") == 0 || strcmp(argv[1], "es31") == 0) desc.window_samples = SAMPLES;
     context = open_described_context(&desc);
     if (context == NULL) return 2;

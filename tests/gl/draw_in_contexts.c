@@ -19,16 +19,16 @@ static void APIENTRY shader_source_of_es(GLuint shader, GLsizei count, const GLc
     gl.ShaderSource(shader, 2, es_strings, NULL);
 }
 
-static bool draw(test_context *context, const ew_scene *scene, const render_settings *settings, float *pixels, ew_error *error)
+static bool draw(gl_context *context, const demo_scene *scene, const render_settings *settings, float *pixels, ew_error *error)
 {
     gl_functions functions;
     render_target target;
     *error = (ew_error){.text = "the loader lacks functions"};
-    if (gl_load_functions(&functions, test_context_get_proc_address, context)) return false;
+    if (gl_load_functions(&functions, context_get_proc_address, context)) return false;
     if (gl.es) functions.ShaderSource = shader_source_of_es;
     if (!render_create_target(&functions, settings, &target, error->text, sizeof error->text)) return false;
 
-    const ew_effect_desc desc = {.get_proc_address = test_context_get_proc_address, .user = context};
+    const ew_effect_desc desc = {.get_proc_address = context_get_proc_address, .user = context};
     const ew_frame_desc frame = render_frame(scene, settings, &target);
     ew_effect *effect = NULL;
     bool drawn = render_opaque(&functions, scene, settings, &target, error->text, sizeof error->text) &&
@@ -42,9 +42,9 @@ static bool draw(test_context *context, const ew_scene *scene, const render_sett
     return drawn && gl.GetError() == GL_NO_ERROR;
 }
 
-static bool draw_in(const char *name, const ew_scene *scene, const render_settings *settings, float *pixels)
+static bool draw_in(const char *name, const demo_scene *scene, const render_settings *settings, float *pixels)
 {
-    test_context *context = open_context(name, NULL);
+    gl_context *context = open_context(name, NULL);
     if (context == NULL) return false;
     ew_error error;
     char path[100], message[400];
@@ -61,7 +61,7 @@ static bool draw_in(const char *name, const ew_scene *scene, const render_settin
 
 int main(int argc, char **argv)
 {
-    ew_scene scene;
+    demo_scene scene;
     char message[400];
     if (argc < 5) return 2;
     render_settings settings = {.width = atoi(argv[2]), .height = atoi(argv[3]), .quality = EW_QUALITY_ERROR_1E_3};

@@ -11,7 +11,7 @@
 #include <cmocka.h>
 #include <time.h>
 
-static test_context *context;
+static gl_context *context;
 static GLuint target;
 
 /* Of a curve, with weights or without: two shaders of about the same length. */
@@ -19,7 +19,7 @@ static ew_effect *create_effect(bool weighted)
 {
     ew_effect *effect = NULL;
     field f;
-    const ew_effect_desc desc = {.get_proc_address = test_context_get_proc_address, .user = context};
+    const ew_effect_desc desc = {.get_proc_address = context_get_proc_address, .user = context};
     make_field(&f, 0, 0, 0, 1, weighted);
     assert_int_equal(ew_create_effect(&desc, &effect, NULL), EW_OK);
     assert_int_equal(ew_set_sources(effect, &f.desc, NULL), EW_OK);

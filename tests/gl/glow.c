@@ -38,9 +38,9 @@ const ew_sources_desc glow_sources = {
 
 const glow_lens glow_default_lens = {.left = -0.4, .right = 0.4, .bottom = -0.3, .top = 0.3};
 
-ew_effect *glow_create(test_context *context)
+ew_effect *glow_create(gl_context *context)
 {
-    const ew_effect_desc desc = {.get_proc_address = test_context_get_proc_address, .user = context};
+    const ew_effect_desc desc = {.get_proc_address = context_get_proc_address, .user = context};
     ew_effect *effect = NULL;
     ew_error error = {.text = ""};
     if (ew_create_effect(&desc, &effect, &error) != EW_OK) fail_msg("%s", error.text);

@@ -11,7 +11,7 @@ enum { GLOW_WIDTH = 48, GLOW_HEIGHT = 36 };
 extern const ew_sources_desc glow_sources;
 
 /* An effect with these sources, for the current context. */
-ew_effect *glow_create(test_context *context);
+ew_effect *glow_create(gl_context *context);
 
 /* A frame that sees them, of the size above, from (0, 0, 6), drawn to `framebuffer`. */
 ew_frame_desc glow_frame(unsigned framebuffer);

@@ -13,7 +13,7 @@
 #include <stdio.h>
 #include <string.h>
 
-static test_context *context;
+static gl_context *context;
 static GLuint target;
 static GLuint vertex_array;
 
@@ -22,7 +22,7 @@ enum { HOST_BINDING = 3 }; /* the host's own choice */
 static ew_effect *create_effect(void)
 {
     ew_effect *effect = NULL;
-    const ew_effect_desc desc = {.get_proc_address = test_context_get_proc_address, .user = context};
+    const ew_effect_desc desc = {.get_proc_address = context_get_proc_address, .user = context};
     assert_int_equal(ew_create_effect(&desc, &effect, NULL), EW_OK);
     return effect;
 }

@@ -14,7 +14,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-static test_context *context;
+static gl_context *context;
 static GLuint target;
 static watched_gl watched;
 

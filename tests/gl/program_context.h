@@ -4,15 +4,21 @@
 
 #include "api.h"
 
-/* A context of that description, or of the kind called `name` (see context.h), sharing objects with `share` or NULL. It becomes
- * current, `gl` is loaded, and debug output watched. NULL, with a line on stderr, if there is none. */
-test_context *open_context(const char *name, test_context *share);
-test_context *open_described_context(const test_context_desc *desc);
+/* Describes the kind of context called `name`: gl33, gl45, gl45_compatibility, es30, es31, es32, osmesa33 or
+ * osmesa45_compatibility. False, with a line on stderr, if there is none. */
+bool describe_context(const char *name, context_desc *desc);
 
-/* Leaves none current. */
-void close_context(test_context *context);
+/* Opens a debug context of that description, makes it current, loads `gl` and watches debug output. NULL, with a line on
+ * stderr, if there is none. */
+gl_context *open_described_context(const context_desc *desc);
 
-/* A test that comes last: GL had nothing to say about those before it. */
+/* The same for the kind called `name`. Shares objects with `share`, which may be NULL. */
+gl_context *open_context(const char *name, gl_context *share);
+
+/* No context is current afterwards. */
+void close_context(gl_context *context);
+
+/* To be the last test of a program: GL had nothing to say about the others. */
 void gl_has_nothing_to_say(void **state);
 
 #endif

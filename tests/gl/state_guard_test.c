@@ -45,7 +45,7 @@ typedef struct test_picture {
     GLfloat pixels[HEIGHT][WIDTH][4];
 } test_picture;
 
-static test_context *contexts[2];
+static gl_context *contexts[2];
 static test_host host;
 static GLuint resolve_framebuffer; /* of the clean context */
 static GLuint incomplete_framebuffers[2];
@@ -227,7 +227,7 @@ typedef struct test_subject {
 
 static void make_current(int context)
 {
-    test_context_make_current(contexts[context]);
+    context_make_current(contexts[context]);
 }
 
 /* The state that is the host's wish, and stays in force while the effect draws. */
@@ -365,7 +365,7 @@ static GLuint programs[2], vertex_arrays[2], uniform_buffers[2], samplers[2];
 
 static void guarded_create(int context)
 {
-    assert_int_equal(ew_gl_load(&loaded, test_context_get_proc_address, contexts[context], NULL), EW_OK);
+    assert_int_equal(ew_gl_load(&loaded, context_get_proc_address, contexts[context], NULL), EW_OK);
     GLuint program = build_program("void main() { vec2 p = vec2(gl_VertexID & 1, gl_VertexID >> 1);\n"
                                    "gl_Position = vec4(2.0 * p - 1.0, 0.0, 1.0); }\n",
                                    "layout(std140) uniform A { vec4 a; };\n"
@@ -497,7 +497,7 @@ static ew_effect *effects[2];
 
 static void effect_create(int context)
 {
-    const ew_effect_desc desc = {.get_proc_address = test_context_get_proc_address, .user = contexts[context]};
+    const ew_effect_desc desc = {.get_proc_address = context_get_proc_address, .user = contexts[context]};
     const ew_point point = {.position = {0.1, 0.1, 0}, .coefficient = 0.3, .color = {1, 0.5, 0.2}};
     const ew_line line = {.position = {0, -0.5, 0}, .direction = {1, 0.2, 0.1}, .coefficient = 0.2, .color = {0.2, 0.5, 1}};
     const ew_sources_desc sources = {.points = &point, .point_count = 1, .lines = &line, .line_count = 1, .epsilon = 1e-2};

@@ -17,7 +17,7 @@
 
 enum { WIDTH = GLOW_WIDTH, HEIGHT = GLOW_HEIGHT, VALUES = WIDTH * HEIGHT * 4 };
 
-static test_context *context;
+static gl_context *context;
 static ew_effect *effect;
 static canvas floats, bytes, srgb;
 

@@ -16,7 +16,7 @@
 #include <string.h>
 
 static const char *kind;
-static test_context *context;
+static gl_context *context;
 static GLuint target, renderbuffer;
 
 static ew_effect *create_effect(const ew_effect_desc *desc, size_t points, size_t lines)
@@ -45,7 +45,7 @@ static bool draw(ew_effect *effect, GLuint framebuffer, picture *drawn)
 enum { ROUNDS = 40, SOURCE_COUNTS = 2 };
 
 typedef struct painter {
-    test_context *context;
+    gl_context *context;
     size_t first_kind; /* of the sources in its first round */
     const picture *expected;
     pthread_barrier_t *start;
@@ -56,9 +56,9 @@ typedef struct painter {
 static void *paint(void *argument)
 {
     painter *self = argument;
-    test_context_make_current(self->context);
+    context_make_current(self->context);
     GLuint own_target = make_target(NULL);
-    const ew_effect_desc desc = {.get_proc_address = test_context_get_proc_address, .user = self->context};
+    const ew_effect_desc desc = {.get_proc_address = context_get_proc_address, .user = self->context};
     ew_effect *effect = create_effect(&desc, 0, 0);
     pthread_barrier_wait(self->start);
     for (size_t round = 0; round < ROUNDS; round++) {
@@ -70,15 +70,15 @@ static void *paint(void *argument)
         self->wrong += !ok || memcmp(&drawn, &self->expected[sources], sizeof drawn) != 0;
     }
     ew_destroy_effect(effect);
-    test_context_make_current(NULL);
+    context_make_current(NULL);
     return NULL;
 }
 
 static void two_effects_draw_at_once_on_two_threads(void **state)
 {
     (void)state;
-    test_context_make_current(context);
-    const ew_effect_desc desc = {.get_proc_address = test_context_get_proc_address, .user = context};
+    context_make_current(context);
+    const ew_effect_desc desc = {.get_proc_address = context_get_proc_address, .user = context};
     picture expected[SOURCE_COUNTS];
     for (size_t i = 0; i < SOURCE_COUNTS; i++) {
         ew_effect *effect = create_effect(&desc, i, 1 - i);
@@ -95,7 +95,7 @@ static void two_effects_draw_at_once_on_two_threads(void **state)
     for (size_t i = 0; i < 2; i++) {
         painters[i] = (painter){open_context(kind, NULL), i, expected, &start, 0};
         assert_non_null(painters[i].context);
-        test_context_make_current(NULL);
+        context_make_current(NULL);
     }
     for (size_t i = 0; i < 2; i++)
         assert_int_equal(pthread_create(&threads[i], NULL, paint, &painters[i]), 0);
@@ -104,9 +104,9 @@ static void two_effects_draw_at_once_on_two_threads(void **state)
     pthread_barrier_destroy(&start);
     for (size_t i = 0; i < 2; i++) {
         assert_int_equal(painters[i].wrong, 0);
-        test_context_destroy(painters[i].context);
+        context_destroy(painters[i].context);
     }
-    test_context_make_current(context);
+    context_make_current(context);
 }
 
 /* ---- Contexts that share objects -------------------------------------------------------------------------------------------
@@ -118,8 +118,8 @@ static ew_effect *loaded;
 /* A loader's thread, with a context and a framebuffer of its own: creates, compiles, and is gone. */
 static void *load(void *argument)
 {
-    test_context *own = argument;
-    test_context_make_current(own);
+    gl_context *own = argument;
+    context_make_current(own);
     GLuint own_target = make_framebuffer_of(renderbuffer);
     const ew_effect_desc desc = {.get_proc_address = watched_gl_get_proc_address};
     const ew_frame_desc frame = make_frame(own_target, EW_OUTPUT_ADD);
@@ -128,18 +128,18 @@ static void *load(void *argument)
     while (loaded && !is_ready && ew_prepare(loaded, NULL, &frame, &is_ready, NULL) == EW_OK)
         continue;
     gl.Finish();
-    test_context_make_current(NULL);
+    context_make_current(NULL);
     return NULL;
 }
 
 static void an_effect_prepared_on_one_thread_draws_on_another(void **state)
 {
     (void)state;
-    test_context_make_current(context);
+    context_make_current(context);
     debug_output_pause(); /* Mesa says that it finishes shaders anew for each context */
-    test_context *shared = open_context(kind, context);
+    gl_context *shared = open_context(kind, context);
     assert_non_null(shared);
-    test_context_make_current(context);
+    context_make_current(context);
     watched_gl_start(&watched, context);
     pthread_t thread;
     assert_int_equal(pthread_create(&thread, NULL, load, shared), 0);
@@ -158,7 +158,7 @@ static void an_effect_prepared_on_one_thread_draws_on_another(void **state)
     assert_true(draw(effect, target, &expected));
     assert_memory_equal(&drawn, &expected, sizeof drawn);
     ew_destroy_effect(effect);
-    test_context_destroy(shared);
+    context_destroy(shared);
     debug_output_resume();
 }
 
@@ -166,9 +166,9 @@ static void an_effect_prepared_on_one_thread_draws_on_another(void **state)
 static void an_effect_goes_to_and_fro_between_contexts(void **state)
 {
     (void)state;
-    test_context_make_current(context);
+    context_make_current(context);
     debug_output_pause();
-    test_context *contexts[2] = {context, open_context(kind, context)};
+    gl_context *contexts[2] = {context, open_context(kind, context)};
     GLuint framebuffers[2];
     assert_non_null(contexts[1]);
     GLuint depth;
@@ -177,7 +177,7 @@ static void an_effect_goes_to_and_fro_between_contexts(void **state)
     gl.RenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT16, PICTURE_WIDTH, PICTURE_HEIGHT);
     gl.Finish();
     for (int i = 0; i < 2; i++) {
-        test_context_make_current(contexts[i]);
+        context_make_current(contexts[i]);
         framebuffers[i] = make_framebuffer_of(renderbuffer);
         gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffers[i]);
         gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth);
@@ -193,7 +193,7 @@ static void an_effect_goes_to_and_fro_between_contexts(void **state)
     picture expected, drawn;
     for (int i = 0; i < 6; i++) {
         int current = i % 2;
-        test_context_make_current(contexts[current]);
+        context_make_current(contexts[current]);
         ew_frame_desc frame = make_frame(framebuffers[current], EW_OUTPUT_ADD);
         frame.depth_source = sources[i / 2 % 2];
         ew_error error = {.text = ""};
@@ -205,12 +205,12 @@ static void an_effect_goes_to_and_fro_between_contexts(void **state)
         assert_memory_equal(&drawn, &expected, sizeof drawn);
         gl.Finish();
     }
-    test_context_make_current(contexts[1]);
+    context_make_current(contexts[1]);
     ew_destroy_effect(effect);
     assert_int_equal(watched.objects, 0);
     gl.DeleteRenderbuffers(1, &depth);
-    test_context_make_current(contexts[0]);
-    test_context_destroy(contexts[1]);
+    context_make_current(contexts[0]);
+    context_destroy(contexts[1]);
     debug_output_resume();
 }
 

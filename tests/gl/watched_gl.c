@@ -12,7 +12,7 @@ static watched_gl *watched;
 
 static ew_gl_function real(const char *name)
 {
-    ew_gl_function function = test_context_get_proc_address(watched->context, name);
+    ew_gl_function function = context_get_proc_address(watched->context, name);
     if (function == NULL) abort();
     return function;
 }
@@ -130,7 +130,7 @@ static const GLubyte *APIENTRY get_stringi(GLenum name, GLuint index)
     return ((PFNGLGETSTRINGIPROC)real("glGetStringi"))(name, index);
 }
 
-void watched_gl_start(watched_gl *started, test_context *context)
+void watched_gl_start(watched_gl *started, gl_context *context)
 {
     *started = (watched_gl){.context = context, .completion_delay = -1};
     memset(delays, 0, sizeof delays);
@@ -177,5 +177,5 @@ ew_gl_function watched_gl_get_proc_address(void *user, const char *name)
         fprintf(stderr, "%s is not watched\n", name);
         abort();
     }
-    return test_context_get_proc_address(watched->context, name);
+    return context_get_proc_address(watched->context, name);
 }

@@ -7,7 +7,7 @@
 #include "energywave.h"
 
 typedef struct watched_gl {
-    test_context *context;
+    gl_context *context;
     int loaded;  /* functions that were asked for */
     int objects; /* made and not yet deleted */
     int compiled;
@@ -19,7 +19,7 @@ typedef struct watched_gl {
 } watched_gl;
 
 /* All effects are watched through the one that was started last. */
-void watched_gl_start(watched_gl *watched, test_context *context);
+void watched_gl_start(watched_gl *watched, gl_context *context);
 
 /* For ew_effect_desc. */
 ew_gl_function watched_gl_get_proc_address(void *user, const char *name);

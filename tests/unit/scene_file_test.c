@@ -22,7 +22,7 @@ static const char full_scene[] =
     "    { \"shape\": \"plane\", \"point\": [0, -1, 0], \"normal\": [0, 3, 0] },\n"
     "    { \"shape\": \"sphere\", \"center\": [6, 7, 8], \"radius\": 2 }] }\n";
 
-static bool parse(const char *text, ew_scene *scene, char message[256])
+static bool parse(const char *text, demo_scene *scene, char message[256])
 {
     return scene_parse(text, strlen(text), "scene.json", scene, message, 256);
 }
@@ -36,7 +36,7 @@ static void check_numbers(const double *actual, const double *expected, size_t c
 static void everything_in_the_file_arrives(void **state)
 {
     (void)state;
-    ew_scene s;
+    demo_scene s;
     char message[256] = "";
     if (!parse(full_scene, &s, message)) fail_msg("%s", message);
     check_numbers(s.camera.eye, (double[]){1, 2, 8}, 3);
@@ -83,14 +83,14 @@ static void everything_in_the_file_arrives(void **state)
     assert_int_equal(parabola->weight_count, 0);
 
     assert_int_equal(s.opaque_count, 3);
-    assert_int_equal(s.opaque[0].kind, EW_OPAQUE_BOX);
+    assert_int_equal(s.opaque[0].kind, OPAQUE_BOX);
     check_numbers(s.opaque[0].shape.box.min, (double[]){0, 1, 2}, 3);
     check_numbers(s.opaque[0].shape.box.max, (double[]){3, 4, 5}, 3);
     check_numbers(s.opaque[0].color, (double[]){0.1, 0.2, 0.3}, 3);
-    assert_int_equal(s.opaque[1].kind, EW_OPAQUE_PLANE);
+    assert_int_equal(s.opaque[1].kind, OPAQUE_PLANE);
     check_numbers(s.opaque[1].shape.plane.point, (double[]){0, -1, 0}, 3);
     check_numbers(s.opaque[1].shape.plane.normal, (double[]){0, 3, 0}, 3);
-    assert_int_equal(s.opaque[2].kind, EW_OPAQUE_SPHERE);
+    assert_int_equal(s.opaque[2].kind, OPAQUE_SPHERE);
     check_numbers(s.opaque[2].shape.sphere.center, (double[]){6, 7, 8}, 3);
     check_close(s.opaque[2].shape.sphere.radius, 2, 0);
     scene_free(&s);
@@ -99,7 +99,7 @@ static void everything_in_the_file_arrives(void **state)
 static void what_the_file_leaves_out_has_its_default(void **state)
 {
     (void)state;
-    ew_scene s;
+    demo_scene s;
     char message[256] = "";
     if (!parse("{ " CAMERA " }", &s, message)) fail_msg("%s", message);
     check_numbers(s.camera.up, (double[]){0, 1, 0}, 3);
@@ -159,7 +159,7 @@ static void every_fault_is_named_with_its_place(void **state)
     };
 #undef ARC
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; ++i) {
-        ew_scene s;
+        demo_scene s;
         char message[256] = "", expected[64];
         snprintf(expected, sizeof expected, "scene.json: %s", cases[i].place);
         if (parse(cases[i].text, &s, message)) fail_msg("taken: %s", cases[i].text);
@@ -177,7 +177,7 @@ static void every_part_of_a_scene_is_refused(void **state)
         char *part = malloc(i > 0 ? i : 1);
         assert_non_null(part);
         memcpy(part, full_scene, i);
-        ew_scene s;
+        demo_scene s;
         char message[256] = "";
         if (scene_parse(part, i, "scene.json", &s, message, sizeof message)) fail_msg("the first %zu bytes are taken", i);
         assert_true(strncmp(message, "scene.json: ", 12) == 0 && !strchr(message, '\n'));
@@ -201,7 +201,7 @@ static void hostile_text_is_refused_in_one_line(void **state)
         {"\xff\xfe{}", 4}, {"{ \"\xc3\x28\": 1 }", 11},
     };
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; ++i) {
-        ew_scene s;
+        demo_scene s;
         char message[256] = "";
         assert_false(scene_parse(cases[i].text, cases[i].length, "scene.json", &s, message, sizeof message));
         assert_true(strlen(message) > 0 && !strchr(message, '\n'));
@@ -215,7 +215,7 @@ static void a_message_never_overflows_its_buffer(void **state)
     for (size_t size = 1; size < 40; ++size) {
         char message[64];
         memset(message, '#', sizeof message);
-        ew_scene s;
+        demo_scene s;
         assert_false(scene_parse("{}", 2, "scene.json", &s, message, size));
         assert_true(memchr(message, '\0', size) != NULL);
         for (size_t i = size; i < sizeof message; ++i)

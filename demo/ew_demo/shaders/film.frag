@@ -1,19 +1,18 @@
 #version 330 core
 
-// The picture: the energy's layer over the opaque scene, as a display shows it.
+// Composites the energy over the opaque scene, and encodes it for a display.
 
 uniform sampler2D opaque_scene;
 uniform sampler2D energy;
 uniform int samples_per_axis;
 uniform bool graded;
-uniform float sensitivity; // to the energy: about 1 / its mean luminance
+uniform float sensitivity; // to the energy: about the reciprocal of its mean luminance
 uniform bool encoded;
 
 out vec4 result;
 
-// The field falls off as one over the distance only, so that the light of a beam fills the room around it. Film with a steep
-// gradation, made less sensitive by that haze, keeps the cores and thins the haze: the host's choice of a look, made after the effect has
-// been drawn.
+// The field falls off with only the first power of the distance, so a beam's light fills the room like haze. Film with a steep
+// gradation keeps the cores and thins the haze. This look is the host's choice, made after the effect has been drawn.
 const float WHITE = 1.75;
 const float GRADATION = 6.0;
 
@@ -32,7 +31,7 @@ vec3 srgb_encoded(vec3 linear)
     return mix(12.92 * clipped, 1.055 * pow(clipped, vec3(1.0 / 2.4)) - 0.055, step(0.0031308, clipped));
 }
 
-// Noise of one part in 255 keeps the dark gradients from banding: interleaved gradient noise (Jimenez 2014).
+// Noise of one 8-bit step keeps dark gradients from banding: interleaved gradient noise (Jimenez 2014).
 float dither(vec2 pixel)
 {
     return fract(52.9829189 * fract(dot(pixel, vec2(0.06711056, 0.00583715)))) - 0.5;

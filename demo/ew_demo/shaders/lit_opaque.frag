@@ -1,16 +1,16 @@
 #version 330 core
 
-// The court's stone: moonlight with shadows, a sky that corners keep out, and the light of the energy itself. All shapes are
-// known here as boxes with a rounding radius, a sphere being a box of no extent, so that shadow and occlusion need no maps.
+// The court's stone: moonlight with shadows, skylight with ambient occlusion, and the light of the energy. Every shape is a box
+// with a rounding radius, and a sphere is a box of no extent. With these, shadow and occlusion need no maps.
 
 const int MAX_SHAPES = 64;
 const int MAX_LIGHTS = 64;
 
 uniform int shape_count;
-uniform vec4 shape_center[MAX_SHAPES]; // and the rounding radius
+uniform vec4 shape_center[MAX_SHAPES]; // w: the rounding radius
 uniform vec4 shape_extent[MAX_SHAPES];
 uniform int light_count;
-uniform vec4 light_position[MAX_LIGHTS]; // and the radius within which it grows no brighter
+uniform vec4 light_position[MAX_LIGHTS]; // w: the radius within which it grows no brighter
 uniform vec4 light_color[MAX_LIGHTS];
 uniform vec3 eye;
 uniform vec3 background;
@@ -18,7 +18,7 @@ uniform vec3 to_moon;
 uniform bool is_mirrored;
 uniform bool reflects;
 uniform sampler2D reflection;
-uniform vec2 pixel; // 1 / the picture's size
+uniform vec2 pixel; // reciprocal of the picture's size
 
 in vec3 surface_position;
 in vec3 surface_normal;
@@ -36,7 +36,7 @@ float distance_to_shapes(vec3 place)
     return nearest;
 }
 
-// What part of the sky a surface sees: all of it where a step along its normal leads as far from everything else.
+// The part of the sky that a surface sees: all of it, if a step along its normal leads as far away from every other shape.
 float openness(vec3 place, vec3 normal)
 {
     const vec3 steps = vec3(0.25, 0.7, 1.6);
@@ -47,8 +47,8 @@ float openness(vec3 place, vec3 normal)
     return clamp(1.0 - hidden, 0.0, 1.0);
 }
 
-// How much of the moon is seen. What a shape hides grows from nothing with the length of the chord that it cuts out of the ray,
-// the slower the farther away it is, which softens the shadow's edge.
+// The part of the moon that is visible. A shape hides more, the longer the chord that it cuts out of the ray. The farther away
+// the shape, the slower this grows, which softens the shadow's edge.
 float moonlight(vec3 place)
 {
     float seen = 1.0;
@@ -77,7 +77,7 @@ float moonlight(vec3 place)
     return seen;
 }
 
-// The floor and the steps are laid with slabs; the joints fade where they are narrower than a pixel.
+// The slabs of the floor and the steps. Their joints fade out where they are narrower than a pixel.
 float joints(vec3 place, vec3 normal)
 {
     const float side = 1.65;
@@ -88,7 +88,7 @@ float joints(vec3 place, vec3 normal)
     return 1.0 - 0.55 * max(joint.x, joint.y) * step(0.9999, normal.y);
 }
 
-// What the floor mirrors, drawn out upwards as by stone that is polished but not plane.
+// What the floor reflects, smeared upwards because polished stone is not perfectly flat.
 vec3 mirrored()
 {
     vec2 at = gl_FragCoord.xy * pixel;

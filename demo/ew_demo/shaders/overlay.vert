@@ -1,8 +1,8 @@
 #version 330 core
 
-uniform vec2 pixel; // how far a pixel is in clip space
+uniform vec2 pixel; // the size of a pixel in clip space
 
-layout(location = 0) in vec2 position; // pixels from the upper left corner
+layout(location = 0) in vec2 position; // in pixels, from the upper left corner
 layout(location = 1) in vec4 color;
 
 out vec4 vertex_color;

@@ -1,6 +1,6 @@
 #version 330 core
 
-// One triangle that covers the screen, without a buffer.
+// One triangle that covers the viewport. Needs no vertex buffer.
 void main()
 {
     vec2 corner = vec2(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0);

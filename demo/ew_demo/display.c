@@ -1,0 +1,272 @@
+/* A scene as it is displayed: see display.h. */
+#include "display.h"
+#include "film.h"
+#include "gpu_timer.h"
+#include "light_meter.h"
+#include "lit_opaque.h"
+#include "map.h"
+#include "message.h"
+#include "opaque.h"
+#include "reflection.h"
+#include "texture.h"
+
+#include <stdlib.h>
+
+struct demo_display {
+    const gl_functions *gl;
+    ew_effect *effect;
+    lit_opaque *court;
+    demo_film film;
+    floor_reflection reflection;
+    light_meter meter;
+
+    int width; /* of the picture; 0 while there are no targets */
+    int height;
+    int samples_per_axis;
+    GLuint opaque, depth, energy, measured, picture;
+    GLuint opaque_framebuffer, energy_framebuffer, measured_framebuffer, picture_framebuffer;
+
+    gpu_timer timers[2];
+    display_statistics statistics[2];
+};
+
+static void delete_targets(demo_display *display)
+{
+    const GLuint textures[] = {display->opaque, display->depth, display->energy, display->measured, display->picture};
+    const GLuint framebuffers[] = {display->opaque_framebuffer, display->energy_framebuffer, display->measured_framebuffer,
+                                   display->picture_framebuffer};
+    display->gl->DeleteFramebuffers(4, framebuffers);
+    display->gl->DeleteTextures(5, textures);
+    display->width = 0;
+}
+
+static bool make_targets(demo_display *display, const display_view *view, char *message, size_t size)
+{
+    const gl_functions *gl = display->gl;
+    int width = view->settings.width, height = view->settings.height, samples = view->samples_per_axis;
+    if (display->width == width && display->height == height && display->samples_per_axis == samples) return true;
+    if (display->width) delete_targets(display);
+    GLint limit = 0;
+    gl->GetIntegerv(GL_MAX_TEXTURE_SIZE, &limit);
+    if (width * samples > limit || height * samples > limit) {
+        message_write(message, size, "--size: this GL draws pictures of %d x %d at most; ask for a smaller one",
+                      limit / samples, limit / samples);
+        return false;
+    }
+    bool complete = true;
+    display->opaque = texture_create(gl, width * samples, height * samples, GL_RGBA16F, GL_RGBA);
+    display->depth = texture_create(gl, width * samples, height * samples, GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT);
+    display->energy = texture_create(gl, width * samples, height * samples, GL_RGBA16F, GL_RGBA);
+    display->measured = texture_create(gl, width * samples, height * samples, GL_R32F, GL_RED);
+    display->picture = texture_create(gl, width, height, GL_RGBA8, GL_RGBA);
+    display->opaque_framebuffer = texture_framebuffer(gl, display->opaque, display->depth, &complete);
+    display->energy_framebuffer = texture_framebuffer(gl, display->energy, 0, &complete);
+    display->measured_framebuffer = texture_framebuffer(gl, display->measured, 0, &complete);
+    display->picture_framebuffer = texture_framebuffer(gl, display->picture, 0, &complete);
+    display->width = width;
+    display->height = height;
+    display->samples_per_axis = samples;
+    if (complete && gl->GetError() == GL_NO_ERROR) return true;
+    delete_targets(display);
+    message_write(message, size, "--size: GL cannot make targets of %d x %d; ask for a smaller one", width * samples,
+                  height * samples);
+    return false;
+}
+
+demo_display *display_create(const gl_functions *gl, const ew_effect_desc *desc, char *message, size_t size)
+{
+    demo_display *display = calloc(1, sizeof *display);
+    ew_error error = {.text = "memory is exhausted"};
+    if (!display || ew_create_effect(desc, &display->effect, &error)) {
+        message_write(message, size, "%s", error.text);
+        free(display);
+        return NULL;
+    }
+    display->gl = gl;
+    for (int half = 0; half < 2; half++)
+        gpu_timer_create(gl, &display->timers[half]);
+    if (light_meter_create(gl, &display->meter, message, size) && film_create(gl, &display->film, message, size))
+        return display;
+    display_destroy(display);
+    return NULL;
+}
+
+/* Draws the court, and what its floor reflects. */
+static ew_result draw_court(demo_display *display, const display_view *view, double sensitivity, ew_error *error)
+{
+    render_settings settings = view->settings;
+    settings.width *= view->samples_per_axis;
+    settings.height *= view->samples_per_axis;
+    ew_result result = reflection_draw(display->gl, &display->reflection, display->effect, display->court, &display->film,
+                                       view->scene, &settings, sensitivity, error);
+    if (result) return result;
+    display->gl->BindFramebuffer(GL_FRAMEBUFFER, display->opaque_framebuffer);
+    lit_opaque_draw(display->court, &(lit_opaque_view){.scene = view->scene,
+                                                       .width = settings.width,
+                                                       .height = settings.height,
+                                                       .reflection = display->reflection.picture});
+    display->gl->BindFramebuffer(GL_FRAMEBUFFER, 0);
+    return EW_OK;
+}
+
+/* Reduces a frame to the columns from `first` to before `end`, by stretching their part of the NDC square over all of it. */
+static void crop(ew_frame_desc *frame, int first, int end)
+{
+    double left = 2.0 * first / frame->viewport_width - 1, right = 2.0 * end / frame->viewport_width - 1;
+    for (int column = 0; column < 4; column++) {
+        double *x = &frame->projection[4 * column], w = frame->projection[4 * column + 3];
+        *x = (2 * *x - (right + left) * w) / (right - left);
+    }
+    frame->viewport_x += first;
+    frame->viewport_width = end - first;
+}
+
+/* The columns of one half of the picture, in samples. A picture one pixel wide is not split: either half is all of it. */
+static void columns_of(const display_view *view, int half, int *first, int *end)
+{
+    int middle = view->settings.width / 2 * view->samples_per_axis, width = view->settings.width * view->samples_per_axis;
+    bool is_split = view->split && middle > 0;
+    *first = is_split && half ? middle : 0;
+    *end = is_split && !half ? middle : width;
+}
+
+/* The frame that draws one half of the picture by its own integrator. */
+static ew_frame_desc half_frame(const demo_display *display, const display_view *view, int half, GLuint framebuffer)
+{
+    render_target target = {.depth = display->depth, .effect_framebuffer = framebuffer};
+    render_settings settings = half ? view->right : view->settings;
+    settings.width = view->settings.width * view->samples_per_axis;
+    settings.height = view->settings.height * view->samples_per_axis;
+    ew_frame_desc frame = render_frame(view->scene, &settings, &target);
+    int first, end;
+    columns_of(view, half, &first, &end);
+    crop(&frame, first, end);
+    return frame;
+}
+
+static ew_result draw_energy(demo_display *display, const display_view *view, ew_error *error)
+{
+    const gl_functions *gl = display->gl;
+    ew_result result = EW_OK;
+    texture_clear(gl, display->energy_framebuffer);
+    for (int half = 0; !result && half < (view->split ? 2 : 1); half++) {
+        ew_frame_desc frame = half_frame(display, view, half, display->energy_framebuffer);
+        gpu_timer_begin(gl, &display->timers[half]);
+        result = ew_draw(display->effect, &frame, error);
+        gpu_timer_end(gl, &display->timers[half]);
+    }
+    return result;
+}
+
+static ew_result draw_maps(demo_display *display, const display_view *view, ew_error *error)
+{
+    ew_result result = EW_OK;
+    for (int half = 0; !result && half < (view->split ? 2 : 1); half++) {
+        ew_frame_desc frame = half_frame(display, view, half, display->measured_framebuffer);
+        result = map_draw(display->gl, display->effect, &frame, view->mode == DISPLAY_ERROR, display->picture,
+                          &display->statistics[half].map, error);
+    }
+    return result;
+}
+
+static ew_result count_evaluations(demo_display *display, const display_view *view, ew_error *error)
+{
+    ew_result result = EW_OK;
+    for (int half = 0; !result && half < (view->split ? 2 : 1); half++) {
+        ew_frame_desc frame = half_frame(display, view, half, display->measured_framebuffer);
+        double *mean = &display->statistics[half].map.mean_evaluations;
+        result = map_count_evaluations(display->gl, display->effect, &frame, mean, error);
+        if (!result) *mean *= view->samples_per_axis * view->samples_per_axis;
+    }
+    return result;
+}
+
+/* The opaque scene comes first, because everything else needs its depth. */
+static ew_result draw_all(demo_display *display, const display_view *view, ew_error *error)
+{
+    double sensitivity = 1;
+    ew_result result = EW_OK;
+    if (view->court_look) {
+        result =
+            light_meter_read(display->gl, &display->meter, display->effect, view->scene, &view->settings, &sensitivity, error);
+        if (!result) result = draw_court(display, view, sensitivity, error);
+    }
+    if (result) return result;
+    if (view->mode != DISPLAY_PICTURE) return draw_maps(display, view, error);
+    result = draw_energy(display, view, error);
+    if (!result && view->count_evaluations) result = count_evaluations(display, view, error);
+    film_exposure exposure = {.opaque = display->opaque,
+                              .energy = display->energy,
+                              .samples_per_axis = display->samples_per_axis,
+                              .graded = view->court_look,
+                              .sensitivity = sensitivity,
+                              .encoded = true};
+    film_develop(display->gl, &display->film, &exposure, display->picture_framebuffer, display->width, display->height);
+    return result;
+}
+
+static bool draw_file_opaque(const demo_display *display, const display_view *view, char *message, size_t size)
+{
+    display->gl->BindFramebuffer(GL_FRAMEBUFFER, display->opaque_framebuffer);
+    bool ok = opaque_draw(display->gl, view->scene, view->settings.width * view->samples_per_axis,
+                          view->settings.height * view->samples_per_axis, message, size);
+    display->gl->BindFramebuffer(GL_FRAMEBUFFER, 0);
+    return ok;
+}
+
+bool display_draw(demo_display *display, const display_view *asked_view, char *message, size_t size)
+{
+    display_view view = *asked_view;
+    ew_error error;
+    if (view.mode != DISPLAY_PICTURE) view.samples_per_axis = 1;
+    if (!make_targets(display, &view, message, size)) return false;
+    if (view.court_look && !display->court) display->court = lit_opaque_create(display->gl, view.scene, message, size);
+    if (view.court_look ? !display->court : !draw_file_opaque(display, &view, message, size)) return false;
+    for (int half = 0; half < 2; half++)
+        display->statistics[half] = (display_statistics){.map = {-1, -1, -1}};
+    if (ew_set_sources(display->effect, &view.scene->sources, &error) || draw_all(display, &view, &error)) {
+        message_write(message, size, "%s", error.text);
+        return false;
+    }
+    if (display->gl->GetError() == GL_NO_ERROR) return true;
+    message_write(message, size, "GL reported an error while drawing; update the GL driver");
+    return false;
+}
+
+display_statistics display_statistics_of(const demo_display *display, int half)
+{
+    display_statistics statistics = display->statistics[half];
+    statistics.gpu_milliseconds = display->timers[half].milliseconds;
+    return statistics;
+}
+
+GLuint display_framebuffer(const demo_display *display)
+{
+    return display->picture_framebuffer;
+}
+
+void display_size(const demo_display *display, int *width, int *height)
+{
+    *width = display->width;
+    *height = display->height;
+}
+
+void display_read(const demo_display *display, unsigned char *srgb)
+{
+    const pixel_rectangle whole = {0, 0, display->width, display->height};
+    texture_read(display->gl, display->picture_framebuffer, whole, GL_RGB, GL_UNSIGNED_BYTE, srgb);
+}
+
+void display_destroy(demo_display *display)
+{
+    if (!display) return;
+    if (display->width) delete_targets(display);
+    for (int half = 0; half < 2; half++)
+        gpu_timer_destroy(display->gl, &display->timers[half]);
+    light_meter_destroy(display->gl, &display->meter);
+    lit_opaque_destroy(display->court);
+    film_destroy(display->gl, &display->film);
+    reflection_destroy(display->gl, &display->reflection);
+    ew_destroy_effect(display->effect);
+    free(display);
+}

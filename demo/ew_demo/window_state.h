@@ -1,0 +1,56 @@
+/*
+ * The window's state, which window.c, window_frame.c, window_keys.c and window_mouse.c share.
+ */
+#ifndef WINDOW_STATE_H
+#define WINDOW_STATE_H
+
+#include "animation.h"
+#include "camera_control.h"
+#include "display.h"
+#include "options.h"
+#include "overlay.h"
+#include "scene_watch.h"
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+typedef struct demo_window {
+    GLFWwindow *handle;
+    gl_functions gl;
+    const demo_options *options;
+    demo_display *display;
+    demo_overlay *overlay;
+    demo_animation *animation;
+    scene_watch file; /* only if the options name a scene file */
+
+    double seconds; /* the animation's time */
+    double time_scale;
+    bool is_paused;
+    camera_control camera;
+    double cursor[2];
+    display_mode mode;
+    bool split;
+    render_settings integrators[2];
+    bool shows_panel, shows_keys, has_vsync;
+    int windowed[4]; /* x, y, width and height outside the full screen */
+
+    double frame_milliseconds; /* mean of the last frames */
+    double last_time;          /* when the last frame began, by GLFW's clock */
+    double last_look;          /* when the scene file was last looked at */
+    double last_count;         /* when evaluations were last counted */
+    double mean_evaluations[2];
+    char notice[600];
+    double notice_until;
+    bool wants_screenshot; /* of the next picture, which shows the effect of all keys so far */
+} demo_window;
+
+/* The scene of the file or of the animation, with its own camera. */
+static inline const demo_scene *window_scene(const demo_window *window)
+{
+    return window->options->scene ? &window->file.scene : &window->animation->scene;
+}
+
+/* Shows a line of text for a few seconds. */
+void window_notify(demo_window *window, const char *text);
+
+#endif

@@ -1,0 +1,57 @@
+/*
+ * The command line of a program as a table of its options.
+ */
+#ifndef COMMAND_LINE_H
+#define COMMAND_LINE_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+typedef struct command_option {
+    const char *name; /* without its dashes */
+    char letter;      /* the option's short form, or 0 */
+    /* Reads the option's value into `target`, and returns whether it is one. NULL: the option has no value, and `target` is a
+     * bool that becomes true. */
+    bool (*read)(const char *text, void *target);
+    void *target;
+    const char *remedy; /* what a value must be, as in "must be a number from 1 to 4" */
+} command_option;
+
+typedef struct command_program {
+    const char *name;
+    const char *help; /* for --help, which every program has, as well as -h and --version */
+    const command_option *options;
+    size_t option_count; /* at most 16 */
+} command_program;
+
+/* Reads the options, and leaves the index of the first argument after them in getopt's `optind`. Returns false with a message;
+ * with an empty one where the options asked for a text, which has been printed. */
+bool command_line_read(int argc, char **argv, const command_program *program, char *message, size_t size);
+
+/* Reads what is left after the options: one scene file, or none, which leaves `scene` alone. On failure returns false, with a
+ * message that asks to `verb` the scenes one by one. */
+bool command_line_read_scene(int argc, char **argv, const char *verb, const char **scene, char *message, size_t size);
+
+/* ---- Values of options --------------------------------------------------------------------------------------------------- */
+
+/* A number of 1 to 9 digits; `end` is what follows it. */
+bool read_count(const char *text, const char **end, int *count);
+
+/* Such a number and nothing else. */
+bool read_number(const char *text, int least, int most, int *number);
+
+#define SIZE_REMEDY "must be WIDTHxHEIGHT, each from 1 to 8192, as in 640x360"
+bool read_size(const char *text, int *width, int *height);
+
+/* Any text. `target` is a const char *. */
+bool read_text(const char *text, void *target);
+
+/* The name of a backend. `target` is a context_backend. */
+#define BACKEND_REMEDY "must be auto, egl or osmesa"
+bool read_backend(const char *text, void *target);
+
+/* The name of an integrator. `target` is a render_settings, of which the size is left alone. */
+#define INTEGRATOR_REMEDY "must be adaptive, adaptive:1e-2, adaptive:1e-3, adaptive:1e-4 or simpson:N, N even"
+bool read_integrator(const char *text, void *target);
+
+#endif

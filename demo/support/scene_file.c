@@ -1,0 +1,360 @@
+/* The scene file: see scene_file.h. */
+#include "scene_file.h"
+#include "json_reader.h"
+#include "message.h"
+#include "vector.h"
+
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { MAX_FILE_BYTES = 64 << 20 };
+
+/* ---- Sources ------------------------------------------------------------------------------------------------------------ */
+
+/* What all kinds have in common. The reader's context is the default colour. */
+static void read_light(json_reader *r, const json_value *source, double *coefficient, double color[3])
+{
+    *coefficient = 1;
+    reader_number_member(r, source, "coefficient", OPTIONAL, NOT_NEGATIVE, coefficient);
+    vector_copy(r->context, color);
+    reader_vector_member(r, source, "color", OPTIONAL, NOT_NEGATIVE, color);
+}
+
+static void read_point(json_reader *r, const json_value *source, void *result)
+{
+    static const char *const keys[] = {"position", "coefficient", "color", NULL};
+    ew_point *point = result;
+    reader_check_keys(r, source, keys);
+    reader_vector_member(r, source, "position", REQUIRED, ANY, point->position);
+    read_light(r, source, &point->coefficient, point->color);
+}
+
+static void read_points(json_reader *r, const json_value *root, ew_sources_desc *sources)
+{
+    sources->points = reader_list_member(r, root, "points", EW_MAX_POINTS, sizeof(ew_point), read_point, &sources->point_count);
+}
+
+static void read_line(json_reader *r, const json_value *source, void *result)
+{
+    static const char *const keys[] = {"position", "direction", "coefficient", "color", NULL};
+    ew_line *line = result;
+    reader_check_keys(r, source, keys);
+    reader_vector_member(r, source, "position", REQUIRED, ANY, line->position);
+    reader_direction_member(r, source, "direction", line->direction);
+    read_light(r, source, &line->coefficient, line->color);
+}
+
+static void read_lines(json_reader *r, const json_value *root, ew_sources_desc *sources)
+{
+    sources->lines = reader_list_member(r, root, "lines", EW_MAX_LINES, sizeof(ew_line), read_line, &sources->line_count);
+}
+
+static void read_torus(json_reader *r, const json_value *source, void *result)
+{
+    static const char *const keys[] = {"center", "axis", "radius", "coefficient", "color", NULL};
+    ew_torus *torus = result;
+    reader_check_keys(r, source, keys);
+    reader_vector_member(r, source, "center", REQUIRED, ANY, torus->center);
+    reader_direction_member(r, source, "axis", torus->axis);
+    reader_number_member(r, source, "radius", REQUIRED, NOT_NEGATIVE, &torus->radius);
+    read_light(r, source, &torus->coefficient, torus->color);
+}
+
+static void read_tori(json_reader *r, const json_value *root, ew_sources_desc *sources)
+{
+    sources->tori = reader_list_member(r, root, "tori", EW_MAX_TORI, sizeof(ew_torus), read_torus, &sources->torus_count);
+}
+
+static void read_weight(json_reader *r, const json_value *weight, void *result)
+{
+    reader_number(r, weight, NOT_NEGATIVE, result);
+}
+
+static void read_domain(json_reader *r, const json_value *source, double domain[2])
+{
+    domain[0] = 0;
+    domain[1] = 1;
+    json_value interval = reader_member(r, source, "domain", OPTIONAL);
+    if (!interval.json) return;
+    if (!json_is_array(interval.json) || json_array_size(interval.json) != 2) {
+        reader_fail(r, &interval.at, "must be an array of 2 numbers");
+        return;
+    }
+    for (size_t i = 0; i < 2; i++) {
+        json_value end = reader_element(&interval, i);
+        reader_number(r, &end, ANY, &domain[i]);
+    }
+    if (r->ok && !(domain[0] < domain[1])) reader_fail(r, &interval.at, "must grow from its first number to its second");
+}
+
+static void read_curve(json_reader *r, const json_value *source, void *result)
+{
+    static const char *const keys[] = {"control_points", "polynomial", "domain", "weights", "coefficient", "color", NULL};
+    ew_curve *curve = result;
+    reader_check_keys(r, source, keys);
+    bool bezier = json_object_get(source->json, "control_points"), polynomial = json_object_get(source->json, "polynomial");
+    if (bezier == polynomial) reader_fail(r, &source->at, "must have either control_points or a polynomial");
+    if (bezier) {
+        double control_points[3][3] = {{0}};
+        reader_matrix_member(r, source, "control_points", control_points);
+        ew_bezier_polynomial(control_points, curve->polynomial);
+    } else if (polynomial) {
+        reader_matrix_member(r, source, "polynomial", curve->polynomial);
+    }
+    read_domain(r, source, curve->domain);
+    curve->weights =
+        reader_list_member(r, source, "weights", EW_MAX_WEIGHTS, sizeof(double), read_weight, &curve->weight_count);
+    json_value weights = reader_member(r, source, "weights", OPTIONAL);
+    if (weights.json && !curve->weights) reader_fail(r, &weights.at, "must not be empty; leave it out for an even brightness");
+    read_light(r, source, &curve->coefficient, curve->color);
+}
+
+static void read_curves(json_reader *r, const json_value *root, ew_sources_desc *sources)
+{
+    sources->curves = reader_list_member(r, root, "curves", EW_MAX_CURVES, sizeof(ew_curve), read_curve, &sources->curve_count);
+}
+
+/* One row a kind of source: the key of its list, and the function that reads the list. */
+static const struct {
+    const char *key;
+    void (*read)(json_reader *r, const json_value *root, ew_sources_desc *sources);
+} source_kinds[] = {{"points", read_points}, {"lines", read_lines}, {"tori", read_tori}, {"curves", read_curves}};
+enum { SOURCE_KIND_COUNT = sizeof source_kinds / sizeof *source_kinds };
+
+/* ---- Opaque shapes ------------------------------------------------------------------------------------------------------ */
+
+static void read_box(json_reader *r, const json_value *value, opaque_shape *result)
+{
+    static const char *const keys[] = {"shape", "min", "max", "color", NULL};
+    double *min = result->shape.box.min, *max = result->shape.box.max;
+    reader_check_keys(r, value, keys);
+    reader_vector_member(r, value, "min", REQUIRED, ANY, min);
+    reader_vector_member(r, value, "max", REQUIRED, ANY, max);
+    json_place at = {&value->at, "max", 0};
+    if (r->ok && !(min[0] < max[0] && min[1] < max[1] && min[2] < max[2]))
+        reader_fail(r, &at, "must be larger than min in each of its 3 numbers");
+}
+
+static void read_plane(json_reader *r, const json_value *value, opaque_shape *result)
+{
+    static const char *const keys[] = {"shape", "point", "normal", "color", NULL};
+    reader_check_keys(r, value, keys);
+    reader_vector_member(r, value, "point", REQUIRED, ANY, result->shape.plane.point);
+    reader_direction_member(r, value, "normal", result->shape.plane.normal);
+}
+
+static void read_sphere(json_reader *r, const json_value *value, opaque_shape *result)
+{
+    static const char *const keys[] = {"shape", "center", "radius", "color", NULL};
+    reader_check_keys(r, value, keys);
+    reader_vector_member(r, value, "center", REQUIRED, ANY, result->shape.sphere.center);
+    reader_number_member(r, value, "radius", REQUIRED, POSITIVE, &result->shape.sphere.radius);
+}
+
+static void read_opaque(json_reader *r, const json_value *value, void *result)
+{
+    static void (*const readers[])(json_reader *, const json_value *, opaque_shape *) = {
+        [OPAQUE_BOX] = read_box, [OPAQUE_PLANE] = read_plane, [OPAQUE_SPHERE] = read_sphere};
+    static const char *const kinds[] = {[OPAQUE_BOX] = "box", [OPAQUE_PLANE] = "plane", [OPAQUE_SPHERE] = "sphere", NULL};
+    opaque_shape *shape = result;
+    if (!reader_check_object(r, value)) return;
+    shape->kind = (opaque_kind)reader_word_member(r, value, "shape", REQUIRED, kinds);
+    if (!r->ok) return;
+    readers[shape->kind](r, value, shape);
+    for (int i = 0; i < 3; i++)
+        shape->color[i] = 0.8;
+    reader_vector_member(r, value, "color", OPTIONAL, NOT_NEGATIVE, shape->color);
+}
+
+/* ---- The rest of the scene ---------------------------------------------------------------------------------------------- */
+
+static void check_camera(json_reader *r, const json_value *object, const scene_camera *camera)
+{
+    double direction[3], up[3], right[3];
+    json_place target_place = {&object->at, "target", 0}, up_place = {&object->at, "up", 0};
+    json_place fov_place = {&object->at, "fov_y_degrees", 0}, far_place = {&object->at, "far", 0};
+    vector_subtract(camera->target, camera->eye, direction);
+    if (!vector_normalize(direction, direction)) {
+        reader_fail(r, &target_place, "must not be where the camera's eye is");
+        return;
+    }
+    if (!vector_normalize(camera->up, up)) {
+        reader_fail(r, &up_place, "must not be zero: it gives a direction");
+        return;
+    }
+    vector_cross(direction, up, right);
+    if (vector_length(right) < 1e-6) reader_fail(r, &up_place, "must not point along the view, from eye to target");
+    if (camera->fov_y_degrees < 1e-3 || camera->fov_y_degrees > 179)
+        reader_fail(r, &fov_place, "must be from 0.001 to 179, but is %g", camera->fov_y_degrees);
+    if (!(camera->far_depth > camera->near_depth))
+        reader_fail(r, &far_place, "must be more than near, which is %g, but is %g", camera->near_depth, camera->far_depth);
+}
+
+static void read_camera(json_reader *r, const json_value *root, scene_camera *camera)
+{
+    static const char *const perspective_keys[] = {"projection", "eye", "target", "up", "fov_y_degrees", "near", "far", NULL};
+    static const char *const orthographic_keys[] = {"projection", "eye", "target", "up", "height", "near", "far", NULL};
+    static const char *const projections[] = {"perspective", "orthographic", NULL};
+    *camera = (scene_camera){.up = {0, 1, 0}, .fov_y_degrees = 45, .height = 2, .near_depth = 0.1, .far_depth = 100};
+    json_value object = reader_member(r, root, "camera", REQUIRED);
+    if (!object.json || !reader_check_object(r, &object)) return;
+    camera->orthographic = reader_word_member(r, &object, "projection", OPTIONAL, projections) == 1;
+    reader_check_keys(r, &object, camera->orthographic ? orthographic_keys : perspective_keys);
+    reader_vector_member(r, &object, "eye", REQUIRED, ANY, camera->eye);
+    reader_vector_member(r, &object, "target", REQUIRED, ANY, camera->target);
+    reader_vector_member(r, &object, "up", OPTIONAL, ANY, camera->up);
+    reader_number_member(r, &object, "fov_y_degrees", OPTIONAL, POSITIVE, &camera->fov_y_degrees);
+    reader_number_member(r, &object, "height", OPTIONAL, POSITIVE, &camera->height);
+    reader_number_member(r, &object, "near", OPTIONAL, camera->orthographic ? ANY : POSITIVE, &camera->near_depth);
+    reader_number_member(r, &object, "far", OPTIONAL, ANY, &camera->far_depth);
+    if (r->ok) check_camera(r, &object, camera);
+}
+
+static void read_interval(json_reader *r, const json_value *root, demo_scene *scene)
+{
+    static const char *const keys[] = {"start", "end", NULL};
+    scene->interval_start = scene->camera.near_depth;
+    scene->interval_end = scene->camera.far_depth;
+    json_value object = reader_member(r, root, "interval", OPTIONAL);
+    if (!object.json) return;
+    reader_check_keys(r, &object, keys);
+    reader_number_member(r, &object, "start", OPTIONAL, scene->camera.orthographic ? ANY : POSITIVE, &scene->interval_start);
+    reader_number_member(r, &object, "end", OPTIONAL, ANY, &scene->interval_end);
+    json_place end_place = {&object.at, "end", 0};
+    if (!(scene->interval_end > scene->interval_start))
+        reader_fail(r, &end_place, "must be more than start, which is %g, but is %g", scene->interval_start,
+                    scene->interval_end);
+    /* The far plane acts as an opaque wall: no light would come from beyond it. */
+    if (scene->interval_end > scene->camera.far_depth)
+        reader_fail(r, &end_place, "must not be beyond the camera's far plane at %g, but is %g", scene->camera.far_depth,
+                    scene->interval_end);
+}
+
+static void read_decay(json_reader *r, const json_value *root, demo_scene *scene)
+{
+    static const char *const keys[] = {"alpha", "beta", NULL};
+    scene->decay_alpha = 1;
+    scene->decay_beta = 1;
+    json_value object = reader_member(r, root, "decay", OPTIONAL);
+    if (!object.json) return;
+    reader_check_keys(r, &object, keys);
+    reader_number_member(r, &object, "alpha", OPTIONAL, NOT_NEGATIVE, &scene->decay_alpha);
+    reader_number_member(r, &object, "beta", OPTIONAL, POSITIVE, &scene->decay_beta);
+}
+
+static void read_version_and_comment(json_reader *r, const json_value *root)
+{
+    json_value version = reader_member(r, root, "version", OPTIONAL), comment = reader_member(r, root, "comment", OPTIONAL);
+    if (version.json && !(json_is_number(version.json) && json_number_value(version.json) == 1))
+        reader_fail(r, &version.at, "must be 1, the only version there is");
+    if (comment.json && !json_is_string(comment.json))
+        reader_fail(r, &comment.at, "must be a string, not %s", reader_type_text(&comment));
+}
+
+static void check_root_keys(json_reader *r, const json_value *root)
+{
+    static const char *const fixed[] = {"version", "comment",    "camera", "interval",  "decay",
+                                        "epsilon", "background", "color",  "composite", "opaque"};
+    enum { FIXED_COUNT = sizeof fixed / sizeof *fixed };
+    const char *keys[FIXED_COUNT + SOURCE_KIND_COUNT + 1] = {NULL};
+    for (int i = 0; i < FIXED_COUNT; i++)
+        keys[i] = fixed[i];
+    for (int i = 0; i < SOURCE_KIND_COUNT; i++)
+        keys[FIXED_COUNT + i] = source_kinds[i].key;
+    reader_check_keys(r, root, keys);
+}
+
+static void read_scene(json_reader *r, const json_value *root, demo_scene *scene)
+{
+    static const char *const composites[] = {"lerp", "add", NULL};
+    check_root_keys(r, root);
+    read_version_and_comment(r, root);
+    read_camera(r, root, &scene->camera);
+    read_interval(r, root, scene);
+    read_decay(r, root, scene);
+    reader_vector_member(r, root, "background", OPTIONAL, NOT_NEGATIVE, scene->background);
+    scene->composite = reader_word_member(r, root, "composite", OPTIONAL, composites) == 1 ? EW_OUTPUT_ADD : EW_OUTPUT_LERP;
+    scene->opaque =
+        reader_list_member(r, root, "opaque", MAX_OPAQUE_SHAPES, sizeof(opaque_shape), read_opaque, &scene->opaque_count);
+
+    scene->sources.epsilon = 1e-3;
+    reader_number_member(r, root, "epsilon", OPTIONAL, POSITIVE, &scene->sources.epsilon);
+    vector_copy((double[3]){0.2, 0.5, 1}, scene->color);
+    reader_vector_member(r, root, "color", OPTIONAL, NOT_NEGATIVE, scene->color);
+    r->context = scene->color;
+    for (int i = 0; i < SOURCE_KIND_COUNT; i++)
+        source_kinds[i].read(r, root, &scene->sources);
+}
+
+/* ---- Files -------------------------------------------------------------------------------------------------------------- */
+
+bool scene_parse(const char *text, size_t length, const char *name, demo_scene *scene, char *message, size_t size)
+{
+    *scene = (demo_scene){0};
+    json_error_t error;
+    /* Integers are read as reals, because large ones would not fit into an integer. */
+    json_t *json = json_loadb(text, length, JSON_REJECT_DUPLICATES | JSON_DECODE_INT_AS_REAL, &error);
+    if (!json) {
+        message_write(message, size, "%s: line %d, column %d: %s; mend the JSON there", name, error.line, error.column,
+                      error.text);
+        return false;
+    }
+    json_reader r = {.name = name, .message = message, .size = size, .ok = true};
+    json_value root = {json, {0}};
+    if (json_is_object(json))
+        read_scene(&r, &root, scene);
+    else
+        reader_fail(&r, &root.at, "must be a JSON object, not %s", reader_type_text(&root));
+    json_decref(json);
+    scene->memory = r.memory;
+    if (!r.ok) scene_free(scene);
+    return r.ok;
+}
+
+/* Returns the bytes of the file, which the caller frees; NULL, with a message, on failure. */
+static char *read_file(const char *path, size_t *length, char *message, size_t size)
+{
+    FILE *file = fopen(path, "rb");
+    if (!file) {
+        message_write(message, size, "%s: cannot be opened (%s); name a scene file that exists", path, strerror(errno));
+        return NULL;
+    }
+    char *text = NULL;
+    size_t capacity = 0;
+    *length = 0;
+    do {
+        capacity = capacity ? 2 * capacity : 1 << 16;
+        char *larger = capacity <= MAX_FILE_BYTES ? realloc(text, capacity) : NULL;
+        if (!larger) {
+            message_write(message, size, "%s: is too large for a scene file", path);
+            break;
+        }
+        text = larger;
+        *length += fread(text + *length, 1, capacity - *length, file);
+    } while (*length == capacity);
+    bool complete = *length < capacity && !ferror(file);
+    if (ferror(file)) message_write(message, size, "%s: cannot be read (%s); name a scene file", path, strerror(errno));
+    fclose(file);
+    if (complete) return text;
+    free(text);
+    return NULL;
+}
+
+bool scene_load(const char *path, demo_scene *scene, char *message, size_t size)
+{
+    *scene = (demo_scene){0};
+    size_t length;
+    char *text = read_file(path, &length, message, size);
+    if (!text) return false;
+    bool ok = scene_parse(text, length, path, scene, message, size);
+    free(text);
+    return ok;
+}
+
+void scene_free(demo_scene *scene)
+{
+    memory_chain_free(&scene->memory);
+    *scene = (demo_scene){0};
+}
