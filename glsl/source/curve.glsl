@@ -91,7 +91,7 @@ float ew_integrate_end(ew_arc arc, float tau, vec2 part)
     float sum = 0.0;
     if (EW_IS_NEEDED(part.x < part.y)) {
         ew_passage passage = ew_passage_at(arc, tau, true, false);
-        sum = passage.weight * ew_integrate_line_distance(passage.b2, passage.k, passage.s0, part.x, part.y);
+        sum = passage.weight * ew_integrate_floored_reciprocal(passage.b2, passage.k, passage.s0, part.x, part.y);
     }
     return sum;
 }
@@ -212,7 +212,7 @@ float ew_integrate_curve(ew_segment segment, ew_curve_block curve, float others)
         passage.weight = ew_arc_weight(arc, ew_tau_on_arm(arc, clamp(passage.s0, from, to)));
         bool is_fold = arc.has_vertex && arc.slope_x == 0.0 && arc.equation_start.x + middle * arc.equation_growth.x > 0.0;
         if (is_fold) passage = ew_passage_at(arc, 0.0, true, false);
-        float reciprocal = ew_integrate_line_distance(passage.b2, passage.k, passage.s0, from, to);
+        float reciprocal = ew_integrate_floored_reciprocal(passage.b2, passage.k, passage.s0, from, to);
         float light = sum + max(passage.weight, 0.02 * arc.mean_weight) * reciprocal;
         float allowance = ew_frame.decay.z * (light + EW_OTHERS_PART * others);
         sum += passage.weight * reciprocal + ew_integrate_rest(arc, passage, from, to, allowance);
