@@ -8,14 +8,15 @@ float ew_depth_correction(vec4 depth, vec2 pixel)
     return rounding_error + dot(per_pixel, pixel);
 }
 
-// The ray parameter s_max, in [0, 1], of the opaque surface at window depth `depth`; `pixel` is relative to the pixel of NDC (0, 0).
+// The ray parameter s_max, in [0, 1], of the opaque surface at window depth `depth`; `pixel` is relative to the pixel of NDC
+// (0, 0).
 //
 // Window depth d is z / w in clip space, and z and w are linear in s. With d_S, w_S and d_E, w_E their values at S and E,
 //
 //     s = w_S (d - d_S) / (w_S (d - d_S) + w_E (d_E - d)).
 //
-// This holds for every projection, reversed and infinite ones included. Inside the interval the divisor is a sum of positive terms.
-// d may be close to d_S or d_E, so both come as the sum of a float and its rounding error.
+// This holds for every projection, reversed and infinite ones included. Inside the interval the divisor is a sum of positive
+// terms. d may be close to d_S or d_E, so both come as the sum of a float and its rounding error.
 float ew_parameter_of_depth(vec2 pixel, float depth)
 {
     vec4 start = ew_frame.depth_start;

@@ -20,9 +20,9 @@ float ew_atanh_remainder(float w)
 //
 //     q (v_from + v_to) + 2 g q^3 F(c q^2),
 //
-// a sum of positive terms. F needs w = 1 - c q^2 without cancellation. w is cos^2 of half the angle between the directions from the
-// source to the two ends, times positive factors. If the ends lie on different sides of s0, half_cosine would be a difference of
-// nearly equal numbers; it is rewritten as b2 times a sum. Relative error 1e-6.
+// a sum of positive terms. F needs w = 1 - c q^2 without cancellation. w is cos^2 of half the angle between the directions from
+// the source to the two ends, times positive factors. If the ends lie on different sides of s0, half_cosine would be a
+// difference of nearly equal numbers; it is rewritten as b2 times a sum. Relative error 1e-6.
 float ew_integrate_reciprocal(float b2, float k, float s0, float from, float to)
 {
     float beta = ew_beta();
@@ -43,8 +43,8 @@ float ew_integrate_reciprocal(float b2, float k, float s0, float from, float to)
     return q * ((depth_from + depth_to) / depth_product + 2.0 * k * (s0 + beta) * q * q * ew_atanh_remainder(w));
 }
 
-// The integral over s in [from, to] of 1 / (max(epsilon, sqrt(b2 + k (s - s0)^2)) (s + beta)^2): the core, in which the field is
-// constant, and what lies before and behind it. Relative error 1e-6, like the closed form's.
+// The integral over s in [from, to] of 1 / (max(epsilon, sqrt(b2 + k (s - s0)^2)) (s + beta)^2): the core, in which the field
+// is constant, and what lies before and behind it. Relative error 1e-6, like the closed form's.
 float ew_integrate_floored_reciprocal(float b2, float k, float s0, float from, float to)
 {
     float beta = ew_beta();

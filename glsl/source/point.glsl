@@ -1,7 +1,8 @@
 // Points.
 
-// The integral over a segment of 1 / max(epsilon, distance to a point), equation (2), by the closed form. The ray's distance from
-// the point is the length of a perpendicular vector, because the root of a difference of squares would cancel. Relative error 1e-6.
+// The integral over a segment of 1 / max(epsilon, distance to a point), equation (2), by the closed form. The ray's distance
+// from the point is the length of a perpendicular vector, because the root of a difference of squares would cancel. Relative
+// error 1e-6.
 float ew_integrate_point(ew_segment segment, ew_point_block point)
 {
     vec3 to_point = point.position.xyz - segment.origin;

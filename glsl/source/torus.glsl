@@ -3,8 +3,8 @@
 // More panels than any ray takes: they grow by factors.
 const int EW_MAX_TORUS_PANELS = 40;
 
-// direction2 times the integral over both sides of what is not in the cores, from the cut outwards: the near side first, if there is
-// one, then the far side. Panels are no longer than a multiple of the distance from what is singular around them.
+// direction2 times the integral over both sides of what is not in the cores, from the cut outwards: the near side first, if
+// there is one, then the far side. Panels are no longer than a multiple of the distance from what is singular around them.
 float ew_integrate_torus_panels(ew_torus_side near, vec2 near_core, ew_torus_side far, vec2 far_core)
 {
     float longest = ew_tolerance() > 3e-3 ? 8.0 : ew_tolerance() > 3e-4 ? 4.0 : 0.6;
@@ -40,8 +40,8 @@ float ew_integrate_torus_panels(ew_torus_side near, vec2 near_core, ew_torus_sid
     return sum;
 }
 
-// The integral over a segment of 1 / max(epsilon, distance to a torus), equation (7). Relative error 3.5e-4 at worst in the scenes
-// of tori at a tolerance of 1e-3, except for rounding in tori much larger than the interval.
+// The integral over a segment of 1 / max(epsilon, distance to a torus), equation (7). Relative error 3.5e-4 at worst in the
+// scenes of tori at a tolerance of 1e-3, except for rounding in tori much larger than the interval.
 float ew_integrate_torus(ew_segment segment, ew_torus_block torus)
 {
     float radius = ew_radius(torus);

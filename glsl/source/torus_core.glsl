@@ -8,8 +8,8 @@ float ew_torus_distance_squared(ew_torus_side side, float x)
     return ew_square(from_axis - side.radius) + height * height;
 }
 
-// A first guess of how far the core's edges are from the closest approach. At distance epsilon from the torus its farthest point is
-// about 2 radius + epsilon away, and the product of the two distances is direction2 |x - own_zero| |x - other_zero|.
+// A first guess of how far the core's edges are from the closest approach. At distance epsilon from the torus its farthest
+// point is about 2 radius + epsilon away, and the product of the two distances is direction2 |x - own_zero| |x - other_zero|.
 float ew_guess_torus_edge(ew_torus_ray ray, ew_torus_zeros zeros, float radius)
 {
     float product = ew_epsilon() * (2.0 * radius + ew_epsilon());
@@ -27,9 +27,9 @@ float ew_nearest_to_torus(ew_torus_side side)
     return clamp(side.own_zero.x - pull, 0.0, side.end);
 }
 
-// One step of Newton's method from both `edges`, relative to `nearest`, towards squared distance epsilon2. A step at most doubles
-// the way from `nearest` and at most takes three quarters of it off, since the squared distance is no parabola where the ray runs
-// along the torus. `room` bounds the edges.
+// One step of Newton's method from both `edges`, relative to `nearest`, towards squared distance epsilon2. A step at most
+// doubles the way from `nearest` and at most takes three quarters of it off, since the squared distance is no parabola where
+// the ray runs along the torus. `room` bounds the edges.
 vec2 ew_step_to_torus_edges(ew_torus_side side, float epsilon2, float nearest, vec2 edges, vec2 room)
 {
     vec2 x = nearest + edges;
@@ -45,8 +45,8 @@ vec2 ew_step_to_torus_edges(ew_torus_side side, float epsilon2, float nearest, v
     return clamp(vec2(-1.0, 1.0) * from_nearest, room.xx, room.yy);
 }
 
-// Where the ray enters and leaves the core; side.end twice if it does not. An error of an edge counts by its square, because the
-// integrand is continuous there. distance2_at_cut is the squared distance at x = 0.
+// Where the ray enters and leaves the core; side.end twice if it does not. An error of an edge counts by its square, because
+// the integrand is continuous there. distance2_at_cut is the squared distance at x = 0.
 vec2 ew_torus_core(ew_torus_side side, float distance2_at_cut, float edge_guess)
 {
     float epsilon2 = ew_square(ew_epsilon());
@@ -71,5 +71,6 @@ vec2 ew_torus_core(ew_torus_side side, float distance2_at_cut, float edge_guess)
 // The integral over the core of 1 / (epsilon depth^2), exact but for rounding.
 float ew_integrate_torus_core(ew_torus_side side, vec2 core)
 {
-    return (core.y - core.x) / (ew_epsilon() * (side.depth + side.depth_slope * core.x) * (side.depth + side.depth_slope * core.y));
+    return (core.y - core.x) /
+           (ew_epsilon() * (side.depth + side.depth_slope * core.x) * (side.depth + side.depth_slope * core.y));
 }

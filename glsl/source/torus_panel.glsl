@@ -9,20 +9,20 @@ const vec3 EW_TORUS_WEIGHTS = vec3(0.46791393, 0.36076157, 0.17132449);
 const mat3 EW_TORUS_LAGRANGE = mat3(1.23030422, -0.301171601, 0.0708673784, -4.22902436, 5.63573565, -1.40671129, 3.23642249,
                                     -6.08322688, 2.84680439);
 
-// A panel, x in [from, from + size], mapped to t in [-1, 1] by x - from = scale (1 + t) / (1 - m t). A polynomial of x, times a power
-// of 1 - m t, is a polynomial of t.
+// A panel, x in [from, from + size], mapped to t in [-1, 1] by x - from = scale (1 + t) / (1 - m t). A polynomial of x, times a
+// power of 1 - m t, is a polynomial of t.
 struct ew_torus_panel {
     float from;
     float size;
-    float m; // in (-1, 1)
+    float m;            // in (-1, 1)
     float m_complement; // 1 - m^2
-    float scale; // size (1 - m) / 2
-    float depth; // at `from`
+    float scale;        // size (1 - m) / 2
+    float depth;        // s + beta at `from`
 };
 
-// m is chosen so that the nearest singularities before and beyond the panel are equally far away in t. They are other_zero, which is
-// `clearance` before the panel, and depth = 0. On the way away from the eye, depth = 0 lies before the panel too: it counts as beyond
-// the panel's end, seen through infinity.
+// m is chosen so that the nearest singularities before and beyond the panel are equally far away in t. They are other_zero,
+// which is `clearance` before the panel, and depth = 0. On the way away from the eye, depth = 0 lies before the panel too: it
+// counts as beyond the panel's end, seen through infinity.
 ew_torus_panel ew_map_torus_panel(ew_torus_side side, float from, float size, float clearance)
 {
     float depth = side.depth + side.depth_slope * from;
@@ -41,7 +41,7 @@ struct ew_mapped_zero {
     float place;
     float height2;
     float square; // place^2 + height^2
-    float scale2; // (scaled) |x - own_zero| = |t - zero| * constant / (sqrt(scale2) (1 - m t))
+    float scale2; // 2 size m_complement / sqrt(scale2) is the factor that the panel's integral in t takes
 };
 
 ew_mapped_zero ew_map_own_zero(ew_torus_side side, ew_torus_panel panel)
@@ -116,12 +116,14 @@ ew_at_nodes ew_other_zero_at_nodes(ew_torus_side side, ew_torus_panel panel)
     vec2 other = 2.0 * vec2(panel.from - side.other_zero.x, side.other_zero.y);
     vec2 constant = vec2(other.x + 2.0 * panel.scale, other.y);
     vec2 slope = vec2(2.0 * panel.scale - other.x * panel.m, -other.y * panel.m);
-    return ew_even_plus_odd(dot(constant, constant) + dot(slope, slope) * EW_TORUS_NODES2, 2.0 * dot(constant, slope) * EW_TORUS_NODES);
+    return ew_even_plus_odd(dot(constant, constant) + dot(slope, slope) * EW_TORUS_NODES2,
+                            2.0 * dot(constant, slope) * EW_TORUS_NODES);
 }
 
-// direction2 times the integral over x in [from, from + size] of 1 / (distance depth^2), where other_zero is `clearance` away from
-// `from`. Multiplied by 1 - m t and by |t - zero|, the integrand is smooth; through its values at six nodes goes the polynomial.
-// Relative error mostly far below 1e-4, at worst 3.5e-4 for panels no longer than ew_integrate_torus_panels makes them.
+// direction2 times the integral over x in [from, from + size] of 1 / (distance depth^2), where other_zero is `clearance` away
+// from `from`. Multiplied by 1 - m t and by |t - zero|, the integrand is smooth; through its values at six nodes goes the
+// polynomial. Relative error mostly far below 1e-4, at worst 3.5e-4 for panels no longer than ew_integrate_torus_panels makes
+// them.
 float ew_integrate_torus_panel(ew_torus_side side, float from, float size, float clearance)
 {
     ew_torus_panel panel = ew_map_torus_panel(side, from, size, clearance);
@@ -138,8 +140,7 @@ float ew_integrate_torus_panel(ew_torus_side side, float from, float size, float
     ew_at_nodes from_axis2 = ew_from_axis2_at_nodes(side, panel);
     vec3 beyond_right = sqrt(max(from_axis2.right, 0.0)) + side.radius * shrink.right;
     vec3 beyond_left = sqrt(max(from_axis2.left, 0.0)) + side.radius * shrink.left;
-    ew_at_nodes height =
-        ew_linear_at_nodes(side.height + side.height_slope * from, side.height_slope * panel.scale, panel.m);
+    ew_at_nodes height = ew_linear_at_nodes(side.height + side.height_slope * from, side.height_slope * panel.scale, panel.m);
     ew_at_nodes depth = ew_linear_at_nodes(panel.depth, side.depth_slope * panel.scale, panel.m);
     vec3 depth2_right = depth.right * depth.right;
     vec3 depth2_left = depth.left * depth.left;

@@ -1,13 +1,13 @@
-// A ray beside a torus. Where it is nearest to the torus's axis, the ray is cut into two sides, and on each side the torus's distance
-// is a product of factors with known zeros. docs/method.md, section 5, has the derivation.
+// A ray beside a torus. Where it is nearest to the torus's axis, the ray is cut into two sides, and on each side the torus's
+// distance is a product of factors with known zeros. docs/method.md, section 5, has the derivation.
 
 // The ray in cylindrical coordinates about the axis, with x = s - center:
 //
 //     squared distance from the axis     from_axis2 + 2 outward x + across2 x^2
 //     height above the torus's plane     height + height_slope x
 //
-// outward is 0, unless the place nearest to the axis lies outside the segment. Then x counts from the segment's end, so that a ray
-// along the axis, which is nearest to it nowhere in particular, loses no digits.
+// outward is 0, unless the place nearest to the axis lies outside the segment. Then x counts from the segment's end, so that a
+// ray along the axis, which is nearest to it nowhere in particular, loses no digits.
 struct ew_torus_ray {
     float center;
     float from_axis2;
@@ -99,7 +99,8 @@ struct ew_torus_side {
     vec2 other_zero;
 };
 
-// The side on which s grows by depth_slope x. `ahead` is the zero that lies further in that direction, as a value of s - center.
+// The side on which s grows by depth_slope x. `ahead` is the zero that lies further in that direction, as a value of s -
+// center.
 ew_torus_side ew_make_torus_side(ew_torus_ray ray, float radius, float depth_slope, float end, vec2 ahead, vec2 behind)
 {
     ew_torus_side side;

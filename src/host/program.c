@@ -136,7 +136,12 @@ static const shader_file light_files[] = {
     {ew_glsl_torus_panel_glsl, integrates_tori},
     {ew_glsl_torus_glsl, integrates_tori},
     {ew_glsl_arc_glsl, integrates_curves},
+    {ew_glsl_passage_glsl, integrates_curves},
+    {ew_glsl_cell_glsl, integrates_curves},
+    {ew_glsl_stretch_glsl, integrates_curves},
     {ew_glsl_rest_glsl, integrates_curves},
+    {ew_glsl_knot_glsl, integrates_curves},
+    {ew_glsl_rest_panels_glsl, integrates_curves},
     {ew_glsl_curve_glsl, integrates_curves},
     {ew_glsl_light_glsl, always},
 };
