@@ -37,7 +37,7 @@ vec2 ew_step_to_torus_edges(ew_torus_side side, float epsilon2, float nearest, v
     vec2 from_axis = sqrt(side.from_axis2 + x * (side.outward + outward));
     vec2 beyond_radius = from_axis - side.radius;
     vec2 height = side.height + side.height_slope * x;
-    // Both are multiplied by from_axis, which the slope would be divided by.
+    // Excess and slope are both multiplied by from_axis, which saves the slope a division.
     vec2 excess = (beyond_radius * beyond_radius + height * height - epsilon2) * from_axis;
     vec2 slope = 2.0 * abs(beyond_radius * outward + height * side.height_slope * from_axis);
     vec2 from_nearest = abs(edges);

@@ -41,7 +41,7 @@ struct ew_mapped_zero {
     float place;
     float height2;
     float square; // place^2 + height^2
-    float scale2; // 2 size m_complement / sqrt(scale2) is the factor that the panel's integral in t takes
+    float scale2; // |x - own_zero| = |t - zero| sqrt(scale2) / (2 (1 - m t))
 };
 
 ew_mapped_zero ew_map_own_zero(ew_torus_side side, ew_torus_panel panel)
