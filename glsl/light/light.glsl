@@ -19,7 +19,7 @@ vec4 ew_integrate_all(ew_segment segment)
         int i = 0;
         do {
             ew_point_block point = ew_point(i);
-            ew_add(point.position.w * ew_integrate_point(segment, point), point.color.rgb, sum);
+            ew_add(point.position.w * ew_integrate(segment, point, sum.a), point.color.rgb, sum);
         } while (++i < EW_POINT_COUNT);
     }
 #endif
@@ -28,7 +28,7 @@ vec4 ew_integrate_all(ew_segment segment)
         int i = 0;
         do {
             ew_line_block line = ew_line(i);
-            ew_add(line.position.w * ew_integrate_line(segment, line), line.color.rgb, sum);
+            ew_add(line.position.w * ew_integrate(segment, line, sum.a), line.color.rgb, sum);
         } while (++i < EW_LINE_COUNT);
     }
 #endif
@@ -37,7 +37,7 @@ vec4 ew_integrate_all(ew_segment segment)
         int i = 0;
         do {
             ew_torus_block torus = ew_torus(i);
-            ew_add(torus.center.w * ew_integrate_torus(segment, torus), torus.color.rgb, sum);
+            ew_add(torus.center.w * ew_integrate(segment, torus, sum.a), torus.color.rgb, sum);
         } while (++i < EW_TORUS_COUNT);
     }
 #endif
@@ -48,7 +48,7 @@ vec4 ew_integrate_all(ew_segment segment)
             ew_curve_block curve = ew_curve(i);
             // In the unit of the curve's integral: over its coefficient, which may be 0; so bounded that the quotient is finite.
             float others = min(sum.a, 1e6) / max(curve.origin.w, 1e-30);
-            ew_add(curve.origin.w * ew_integrate_curve(segment, curve, others), curve.color.rgb, sum);
+            ew_add(curve.origin.w * ew_integrate(segment, curve, others), curve.color.rgb, sum);
         } while (++i < EW_CURVE_COUNT);
     }
 #endif

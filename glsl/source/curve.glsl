@@ -47,7 +47,7 @@ float ew_integrate_stretch(ew_arc arc, ew_approaches approaches, float from, flo
 
 // The integral over a segment; `others`, >= 0 and in the same unit, is what other sources are known to add to it. Relative
 // error 1e-3 at a tolerance of 1e-3, mostly far less; docs/method.md, section 10, has the exceptions.
-float ew_integrate_curve(ew_segment segment, ew_curve_block curve, float others)
+float ew_integrate(ew_segment segment, ew_curve_block curve, float others)
 {
     ew_arc arc = ew_make_arc(segment, curve);
     ew_cell first_cell = ew_cell_of_end(arc, arc.first, 1.0);

@@ -3,7 +3,7 @@
 // The integral over a segment of 1 / max(epsilon, distance to a line), equation (3). Seen along the line, the line is a point,
 // so the closed form serves. A ray parallel to the line keeps its distance from it: then k is 0 up to rounding, and any s0 will
 // do. Relative error 1e-6.
-float ew_integrate_line(ew_segment segment, ew_line_block line)
+float ew_integrate(ew_segment segment, ew_line_block line, float others)
 {
     vec3 axis = line.direction.xyz;
     vec3 to_line = line.position.xyz - segment.origin;

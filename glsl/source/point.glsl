@@ -3,7 +3,7 @@
 // The integral over a segment of 1 / max(epsilon, distance to a point), equation (2), by the closed form. The ray's distance
 // from the point is the length of a perpendicular vector, because the root of a difference of squares would cancel. Relative
 // error 1e-6.
-float ew_integrate_point(ew_segment segment, ew_point_block point)
+float ew_integrate(ew_segment segment, ew_point_block point, float others)
 {
     vec3 to_point = point.position.xyz - segment.origin;
     float k = ew_length_squared(segment.direction);

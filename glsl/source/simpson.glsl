@@ -17,7 +17,7 @@ float ew_simpson_weight(int i, int divisions)
 }
 
 #ifdef EW_POINTS
-float ew_integrate_point(ew_segment segment, ew_point_block point)
+float ew_integrate(ew_segment segment, ew_point_block point, float others)
 {
     int divisions = ew_frame.simpson.x;
     float step_length = segment.end / float(divisions);
@@ -32,7 +32,7 @@ float ew_integrate_point(ew_segment segment, ew_point_block point)
 #endif
 
 #ifdef EW_LINES
-float ew_integrate_line(ew_segment segment, ew_line_block line)
+float ew_integrate(ew_segment segment, ew_line_block line, float others)
 {
     int divisions = ew_frame.simpson.x;
     float step_length = segment.end / float(divisions);
@@ -48,7 +48,7 @@ float ew_integrate_line(ew_segment segment, ew_line_block line)
 #endif
 
 #ifdef EW_TORI
-float ew_integrate_torus(ew_segment segment, ew_torus_block torus)
+float ew_integrate(ew_segment segment, ew_torus_block torus, float others)
 {
     int divisions = ew_frame.simpson.x;
     float step_length = segment.end / float(divisions);
@@ -143,7 +143,7 @@ ew_polynomial_curve ew_make_polynomial_curve(ew_curve_block block)
 }
 
 // `others` is for the adaptive integrator: equal divisions have no tolerance.
-float ew_integrate_curve(ew_segment segment, ew_curve_block block, float others)
+float ew_integrate(ew_segment segment, ew_curve_block block, float others)
 {
     ew_polynomial_curve curve = ew_make_polynomial_curve(block);
     int divisions = ew_frame.simpson.x;

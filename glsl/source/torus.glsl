@@ -42,7 +42,7 @@ float ew_integrate_torus_panels(ew_torus_side near, vec2 near_core, ew_torus_sid
 
 // The integral over a segment of 1 / max(epsilon, distance to a torus), equation (7). Relative error 3.5e-4 at worst in the
 // scenes of tori at a tolerance of 1e-3, except for rounding in tori much larger than the interval.
-float ew_integrate_torus(ew_segment segment, ew_torus_block torus)
+float ew_integrate(ew_segment segment, ew_torus_block torus, float others)
 {
     float radius = ew_radius(torus);
     ew_torus_ray ray = ew_make_torus_ray(segment, torus);

@@ -1,5 +1,5 @@
 // The sum over the samples of a source: PEER_INTEGRATE for one of the type PEER_SOURCE. Compiled once for each kind of source.
-float PEER_INTEGRATE(ew_segment segment, PEER_SOURCE source)
+float PEER_INTEGRATE(ew_segment segment, PEER_SOURCE source, float others)
 {
 #ifdef PEER_EQUIANGULAR
     peer_distribution distribution = peer_distribute(segment, peer_nearest(segment, source));

@@ -38,11 +38,11 @@ enum { POINTS, LINES, TORI, CURVES, KIND_COUNT };
 static const struct {
     const char *kinds, *kind, *count, *integrator, *source, *sum;
 } names[KIND_COUNT] = {
-    {"POINTS", "POINT", "ew_frame.source_count.x", "ew_integrate_point", "ew_point_block", "ew_integrate_point"},
-    {"LINES", "LINE", "ew_frame.source_count.y", "ew_integrate_line", "ew_line_block", "ew_integrate_line"},
-    {"TORI", "TORUS", "ew_frame.source_count.z", "ew_integrate_torus", "ew_torus_block", "ew_integrate_torus"},
+    {"POINTS", "POINT", "ew_frame.source_count.x", "ew_integrate", "ew_point_block", "ew_integrate"},
+    {"LINES", "LINE", "ew_frame.source_count.y", "ew_integrate", "ew_line_block", "ew_integrate"},
+    {"TORI", "TORUS", "ew_frame.source_count.z", "ew_integrate", "ew_torus_block", "ew_integrate"},
     /* and for curves, which are brought into another form first, peer_curve.glsl. */
-    {"CURVES", "CURVE", "ew_frame.source_count.w", "ew_integrate_curve", "peer_curve", "peer_integrate_curve"},
+    {"CURVES", "CURVE", "ew_frame.source_count.w", "ew_integrate", "peer_curve", "peer_integrate_curve"},
 };
 
 /* A shader in the making: strings, some of which it holds itself. */
