@@ -1,10 +1,11 @@
-// Noise that keeps faint glow from banding on a target of 8 bits a channel.
+// Noise against the banding of faint glow on targets of 8 bits a channel.
 //
-// The target rounds to the nearest of its steps. With noise spread evenly over half a step to either side, it rounds to the step
-// above as often as the value is nearer to that one, so that the mean stays the value; and where there is no light, to 0.
+// The target rounds to the nearest of its steps. With noise spread evenly over half a step to either side, it rounds up as
+// often as the value is closer to the step above, so the mean over neighbouring pixels stays the value. Where there is no
+// light, 0 stays 0.
 
-// In [0, 1), spread evenly, in every 3 x 3 pixels already: Jimenez, "Next Generation Post Processing in Call of Duty: Advanced
-// Warfare" (SIGGRAPH 2014), interleaved gradient noise.
+// Interleaved gradient noise, in [0, 1): it is spread evenly over every 3 x 3 pixels. Jimenez, "Next Generation Post Processing
+// in Call of Duty: Advanced Warfare" (SIGGRAPH 2014).
 float ew_gradient_noise(vec2 pixel)
 {
     return fract(52.9829189 * fract(dot(pixel, vec2(0.06711056, 0.00583715))));
@@ -23,11 +24,13 @@ vec3 ew_decode_srgb(vec3 encoded)
 }
 #endif
 
+// Linear radiance with noise of half a step to either side, for a target that stores it as it is or, with EW_DITHER_SRGB,
+// encoded.
 vec3 ew_dither(vec3 radiance)
 {
     float noise = (ew_gradient_noise(gl_FragCoord.xy) - 0.5) / 255.0;
 #ifdef EW_DITHER_SRGB
-    // The steps are even in encoded values; exact over black, finer than a step over brighter backgrounds.
+    // The steps are even in encoded values. Over black the noise is one step wide; over brighter backgrounds it is narrower.
     return ew_decode_srgb(max(ew_encode_srgb(min(radiance, 1.0)) + noise, 0.0));
 #else
     return max(radiance + noise, 0.0);

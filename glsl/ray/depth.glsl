@@ -1,21 +1,31 @@
 // Where the opaque scene ends the ray.
 
-// s_max: the ray parameter of the opaque surface at window depth `depth` behind `pixel` (relative to the pixel of NDC (0, 0)), in
-// [0, 1].
+// What is added to `depth`.x, the larger part of the window depth at one end of the interval, for the ray through `pixel`.
+float ew_depth_correction(vec4 depth, vec2 pixel)
+{
+    float rounding_error = depth.y;
+    vec2 per_pixel = depth.zw;
+    return rounding_error + dot(per_pixel, pixel);
+}
+
+// The ray parameter s_max, in [0, 1], of the opaque surface at window depth `depth`; `pixel` is relative to the pixel of NDC
+// (0, 0).
 //
-// Window depth d is z / w in clip space, and z and w are linear in s; with d_S, w_S and d_E, w_E their values at S and E,
+// Window depth d is z / w in clip space, and z and w are linear in s. With d_S, w_S and d_E, w_E their values at S and E,
 //
-//     s = w_S (d - d_S) / (w_S (d - d_S) + w_E (d_E - d)),
+//     s = w_S (d - d_S) / (w_S (d - d_S) + w_E (d_E - d)).
 //
-// which holds for every projection, reversed and infinite ones too, and divides only inside the interval, by a positive
-// number. d_S and d_E come as sums of a float and its rounding error, since d may be close to them.
+// This holds for every projection, reversed and infinite ones included. Inside the interval the divisor is a sum of positive
+// terms. d may be close to d_S or d_E, so both come as the sum of a float and its rounding error.
 float ew_parameter_of_depth(vec2 pixel, float depth)
 {
     vec4 start = ew_frame.depth_start;
     vec4 end = ew_frame.depth_end;
-    float behind_start = ew_frame.depth_scale.x * ((depth - start.x) - (start.y + dot(start.zw, pixel)));
-    float before_end = ew_frame.depth_scale.y * ((end.x - depth) + (end.y + dot(end.zw, pixel)));
-    // A depth that is no number ends the ray at S. Its bits tell: compilers may take !(x > 0.0) for x <= 0.0.
+    float clip_w_start = ew_frame.depth_scale.x;
+    float clip_w_end = ew_frame.depth_scale.y;
+    float behind_start = clip_w_start * ((depth - start.x) - ew_depth_correction(start, pixel));
+    float before_end = clip_w_end * ((end.x - depth) + ew_depth_correction(end, pixel));
+    // A NaN ends the ray at S. It is recognised by its bits, because compilers may replace !(x > 0.0) by x <= 0.0.
     bool is_number = (floatBitsToInt(depth) & 0x7fffffff) <= 0x7f800000;
     float inside = before_end > 0.0 ? behind_start / (behind_start + before_end) : 1.0;
     return is_number && behind_start > 0.0 ? inside : 0.0;
@@ -23,7 +33,7 @@ float ew_parameter_of_depth(vec2 pixel, float depth)
 
 #ifdef EW_DEPTH_MULTISAMPLE
 uniform sampler2DMS ew_depth_texture;
-// The samples that this pass is for: from x on, before y.
+// The samples that this pass shades, from x up to but not including y.
 uniform ivec2 ew_samples;
 
 float ew_opaque_parameter(vec2 pixel, int sample_index)

@@ -69,15 +69,15 @@ ew_polynomial_curve ew_make_polynomial_curve(ew_curve_block block)
 {
     ew_polynomial_curve curve;
     curve.c0 = block.origin.xyz;
-    curve.c1 = block.axis_x.w * block.axis_x.xyz + block.axis_y.w * block.axis_y.xyz;
-    curve.c2 = block.axis_z.w * block.axis_y.xyz;
-    curve.has_vertex = block.axis_y.w == 0.0 && block.axis_z.w > 0.0;
-    curve.first = block.domain.x;
-    curve.last = block.domain.y;
+    curve.c1 = ew_slope_x(block) * block.axis_x.xyz + ew_slope_y(block) * block.axis_y.xyz;
+    curve.c2 = ew_bend(block) * block.axis_y.xyz;
+    curve.has_vertex = ew_slope_y(block) == 0.0 && ew_bend(block) > 0.0;
+    curve.first = ew_first_tau(block);
+    curve.last = ew_last_tau(block);
     return curve;
 }
 
-// The squared distance from `position` to the curve, and the weight at the nearest point.
+// The squared distance from `position`, and the weight at the nearest point: for integrators that sample the field.
 float ew_distance_squared(ew_curve_block block, vec3 position, out float weight)
 {
     ew_polynomial_curve curve = ew_make_polynomial_curve(block);
@@ -85,7 +85,7 @@ float ew_distance_squared(ew_curve_block block, vec3 position, out float weight)
     float distance_squared = ew_nearest_on_curve(curve, position, tau);
     weight = 1.0;
 #ifdef EW_WEIGHTS
-    if (block.domain.w > 0.0) weight = ew_weight(tau - curve.first, block.domain.z, block.domain.w);
+    if (ew_piece_count(block) > 0.0) weight = ew_weight(tau - curve.first, ew_first_piece(block), ew_piece_count(block));
 #endif
     return distance_squared;
 }

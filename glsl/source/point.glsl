@@ -1,5 +1,6 @@
 // A point, equation (2).
 
+// The squared distance from `position`, and the weight at the nearest point: for integrators that sample the field.
 float ew_distance_squared(ew_point_block point, vec3 position, out float weight)
 {
     weight = 1.0;
@@ -7,8 +8,9 @@ float ew_distance_squared(ew_point_block point, vec3 position, out float weight)
 }
 
 #ifndef EW_SAMPLING
-// The integral over a segment of 1 / distance to a point, equation (2): closed form. The distance from the ray is the length of
-// a perpendicular vector, never the root of a difference.
+// The integral over a segment of 1 / max(epsilon, distance to a point), equation (2), by the closed form. The ray's distance
+// from the point is the length of a perpendicular vector, because the root of a difference of squares would cancel. Relative
+// error 1e-6.
 float ew_integrate(ew_segment segment, ew_point_block point, float others)
 {
     vec3 to_point = point.position.xyz - segment.origin;
@@ -16,6 +18,6 @@ float ew_integrate(ew_segment segment, ew_point_block point, float others)
     float s0 = dot(to_point, segment.direction) / k;
     float b2 = ew_length_squared(to_point - s0 * segment.direction);
     ew_evaluation_count += 1;
-    return ew_integrate_line_distance(b2, k, s0, 0.0, segment.end);
+    return ew_integrate_floored_reciprocal(b2, k, s0, 0.0, segment.end);
 }
 #endif

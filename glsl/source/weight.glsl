@@ -1,10 +1,13 @@
+// The weight along a curve, equations (14) to (16).
+
 ew_weight_block ew_weight_piece(int i)
 {
     return ew_weight_block(ew_source_data[EW_WEIGHT_START + i]);
 }
 
-// S(t) of (15) at `place` in [0, 1] along the curve whose pieces start at `first`: the clamped uniform quadratic B-spline with
-// the knots of (16), the last interval closed. Each span between knots is a polynomial, prepared by the CPU.
+// S(t) of (15) at t = `place`, which is clamped to [0, 1], for a curve whose `count` > 0 pieces start at `first`. S is the
+// clamped uniform quadratic B-spline with the knots of (16), its last interval closed. Each span between two knots is a
+// polynomial that the CPU prepares.
 float ew_weight(float place, float first, float count)
 {
     float scaled = clamp(place, 0.0, 1.0) * count;

@@ -123,6 +123,7 @@ const ew_kind ew_curve_kind = {
     .check = check,
     .weights = weights_of,
     .pack = pack,
-    .adaptive_files = {ew_glsl_arc_glsl, ew_glsl_rest_glsl, ew_glsl_curve_glsl},
+    .adaptive_files = {ew_glsl_arc_glsl, ew_glsl_passage_glsl, ew_glsl_cell_glsl, ew_glsl_stretch_glsl, ew_glsl_rest_glsl,
+                       ew_glsl_knot_glsl, ew_glsl_rest_panels_glsl, ew_glsl_curve_glsl},
     .sampling_files = {ew_glsl_curve_distance_glsl},
 };

@@ -38,7 +38,7 @@ typedef struct ew_weight_list {
 } ew_weight_list;
 
 /* The most files of GLSL that one kind has. */
-enum { EW_KIND_MAX_FILES = 4 };
+enum { EW_KIND_MAX_FILES = 8 };
 
 typedef struct ew_kind {
     const char *name;       /* "point": ew_point(i) and ew_point_block in GLSL */

@@ -35,6 +35,9 @@ static ew_result pack(const void *source, const ew_source_name *name, const ew_r
 
 extern const ew_kind ew_torus_kind;
 const ew_kind ew_torus_kind = {
-    EW_KIND_NAMES(torus, TORUS, tori),      .check = check, .pack = pack, .adaptive_files = {ew_glsl_torus_glsl},
-    .sampling_files = {ew_glsl_torus_glsl},
+    EW_KIND_NAMES(torus, TORUS, tori),
+    .check = check,
+    .pack = pack,
+    .adaptive_files = {ew_glsl_torus_side_glsl, ew_glsl_torus_core_glsl, ew_glsl_torus_panel_glsl, ew_glsl_torus_glsl},
+    .sampling_files = {ew_glsl_torus_distance_glsl},
 };

@@ -178,6 +178,7 @@ static void add_light(ew_shader_text *text, unsigned key, const ew_integrator_te
     add_file(text, ew_glsl_blocks_glsl);
     add_readers(text, key);
     add_file(text, ew_glsl_segment_glsl);
+    add_file(text, ew_glsl_components_glsl);
     if (key & EW_PERMUTATION_WEIGHTS) add_file(text, ew_glsl_weight_glsl);
     if (integrator->is_sampling) {
         add(text, "#define EW_SAMPLING\n");

@@ -1,0 +1,35 @@
+// The knots of the weights along a stretch. The nearest point moves along its arm one way, so the knots that it passes follow
+// from the weight pieces at both ends of the stretch. Without weights there is one piece, 0, and no knot.
+
+// In which of the arc's weight pieces the point nearest to L(s) is.
+float ew_piece_at(ew_arc arc, float s)
+{
+#ifdef EW_WEIGHTS
+    return clamp(floor((ew_tau_on_arm(arc, s) - arc.first) * arc.piece_count), 0.0, max(arc.piece_count - 1.0, 0.0));
+#else
+    return 0.0;
+#endif
+}
+
+// Whether there is a knot between the pieces `piece` and `last_piece`.
+bool ew_has_knot(float piece, float last_piece)
+{
+#ifdef EW_WEIGHTS
+    return piece != last_piece;
+#else
+    return false;
+#endif
+}
+
+// The s at which the nearest point, on its way from `piece` to `last_piece`, comes to the next knot: equation (12) is linear in
+// s.
+float ew_next_knot(ew_arc arc, float piece, float last_piece)
+{
+#ifdef EW_WEIGHTS
+    float tau = arc.first + (piece + (last_piece > piece ? 1.0 : 0.0)) / max(arc.piece_count, 1.0);
+    float left = ((arc.cubic * tau + arc.quadratic) * tau + arc.equation_start.x) * tau - arc.equation_start.y;
+    return ew_zero(left, arc.equation_growth.x * tau - arc.equation_growth.y);
+#else
+    return -1.0;
+#endif
+}

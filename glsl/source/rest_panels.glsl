@@ -1,0 +1,184 @@
+// The integral of the rest over a stretch, by adaptive quadrature.
+//
+// The variable is x = v - v(s0) with v = 1 / (s + beta), in which the decay is gone. x and the arc are counted from the
+// passage: seen from the eye, an arc that is small and far away would be lost in the last digits. The passage cuts the stretch
+// into a near side, x > 0, and a far side, x < 0. Each is divided into panels of four nodes from the passage outwards. A panel
+// is shortened until its values lie on a parabola.
+
+// The most panels of a stretch, refused ones included.
+const int EW_MAX_PANELS = 400;
+// The last panels are accepted as they come, so that every stretch is finished.
+const int EW_LAST_TRIES = 5;
+// Length of the first panel beside the passage, in half widths of the peak.
+const float EW_FIRST_PANEL = 10.0;
+// How much longer than one panel the next may be.
+const float EW_PANEL_GROWTH = 3.0;
+// How much shorter than a refused panel the next try is.
+const float EW_PANEL_SHRINKAGE = 0.4;
+// Share of the second difference of a panel's values in the estimate of its error; the third difference counts in full.
+const float EW_CURVATURE_SHARE = 0.16;
+// The same beside the passage.
+const float EW_CURVATURE_SHARE_AT_PEAK = 0.3;
+
+// A rule for four nodes in [0, 1], for panels of width 1.
+struct ew_rule {
+    vec4 nodes;
+    vec4 weights;
+    vec4 differences; // the third divided difference over 32: how far a cubic through the values is from all parabolas
+    float curvature_share;
+};
+
+// Gauss-Legendre, exact up to x^7. If the rest `starts_at_zero`, it is x f(x), and Gauss-Jacobi is exact up to x^8; then the
+// difference is that of f.
+ew_rule ew_choose_rule(bool starts_at_zero)
+{
+    ew_rule rule = ew_rule(vec4(0.06943184, 0.33000948, 0.66999052, 0.93056816),
+                           vec4(0.17392742, 0.32607258, 0.32607258, 0.17392742),
+                           vec4(-0.2318919, 0.5873578, -0.5873578, 0.2318919), EW_CURVATURE_SHARE);
+    if (starts_at_zero) {
+        rule.nodes = vec4(0.13975986, 0.41640957, 0.72315699, 0.94289580);
+        rule.weights = vec4(0.22310390, 0.31182653, 0.28135601, 0.14371356);
+        rule.differences = vec4(-1.7249797, 1.6796979, -1.0989184, 0.3567003);
+        rule.curvature_share = EW_CURVATURE_SHARE_AT_PEAK;
+    }
+    return rule;
+}
+
+// A stretch as seen from its passage, or from its end nearest to the passage if that is outside.
+struct ew_stretch {
+    float center; // s of x = 0
+    float depth;  // center + beta
+    float depth2;
+    float x_from; // x of its two ends, x_from >= 0 >= x_to
+    float x_to;
+    float peak;        // length of the first panel
+    float first_panel; // the same, or to the edge of the core for a ray that passes it
+    bool is_inside;    // the passage is inside, and the rest starts at 0 there
+    bool is_wide;      // the peak is wide: the whole stretch is one side
+};
+
+// The first panel is at most EW_FIRST_PANEL half widths of the peak long, or it would not see how the arc's peak differs from
+// the passage's. Nor is it much longer than the arc, because a bent arc's passage is of no use there.
+ew_stretch ew_make_stretch(ew_arc arc, ew_passage passage, float from, float to)
+{
+    float beta = ew_beta();
+    float epsilon2 = ew_square(ew_epsilon());
+    ew_stretch stretch;
+    stretch.center = clamp(passage.s0, from, to);
+    stretch.depth = stretch.center + beta;
+    stretch.depth2 = stretch.depth * stretch.depth;
+    stretch.x_from = (stretch.center - from) / ((from + beta) * stretch.depth);
+    stretch.x_to = (stretch.center - to) / ((to + beta) * stretch.depth);
+    float scale = inversesqrt(passage.k) / stretch.depth2;
+    float extent = arc.slope_x + abs(arc.slope_y) + 2.0 * arc.bend * max(-arc.first, arc.last);
+    stretch.peak = min(EW_FIRST_PANEL * scale * sqrt(max(passage.b2, epsilon2)),
+                       4.0 * sqrt((passage.b2 + extent * extent) / ew_length_squared(arc.direction)) / stretch.depth2);
+    bool passes_core = passage.b2 < epsilon2;
+    float half_core = scale * sqrt(max(epsilon2 - passage.b2, 0.04 * epsilon2));
+    stretch.first_panel = passes_core ? half_core : stretch.peak;
+    stretch.is_inside = passage.is_touching && passage.s0 > from && passage.s0 < to;
+    stretch.is_wide = stretch.peak >= 8.0 * (stretch.x_from - stretch.x_to)
+                      && (!passes_core || half_core > stretch.x_from - stretch.x_to);
+    return stretch;
+}
+
+// How far the integration has come on one side of a stretch.
+struct ew_progress {
+    float x;          // where the next panel begins
+    float remaining;  // from there to the side's end; < 0 on the far side
+    float proposal;   // width of the next panel, unless there is a knot in it
+    float piece;      // the weight piece at x
+    float last_piece; // the weight piece at the side's end
+    bool starts_at_zero;
+    bool is_last_side;
+};
+
+// The first side: the near one, if there is one, or the whole of a stretch with a wide peak.
+ew_progress ew_start_stretch(ew_stretch stretch, float from_piece, float center_piece, float to_piece)
+{
+    bool has_near_side = stretch.x_from > 0.0;
+    bool ends_at_from = has_near_side || stretch.is_wide;
+    ew_progress progress;
+    progress.x = stretch.is_wide ? stretch.x_to : 0.0;
+    progress.remaining = (ends_at_from ? stretch.x_from : stretch.x_to) - progress.x;
+    progress.proposal = clamp(progress.remaining, -stretch.first_panel, stretch.first_panel);
+    progress.piece = stretch.is_wide ? to_piece : center_piece;
+    progress.last_piece = ends_at_from ? from_piece : to_piece;
+    progress.starts_at_zero = stretch.is_inside && !stretch.is_wide;
+    progress.is_last_side = stretch.is_wide || !has_near_side || stretch.x_to == 0.0;
+    return progress;
+}
+
+ew_progress ew_start_far_side(ew_stretch stretch, float center_piece, float to_piece)
+{
+    ew_progress progress;
+    progress.x = 0.0;
+    progress.remaining = stretch.x_to;
+    progress.proposal = max(progress.remaining, -stretch.first_panel);
+    progress.piece = center_piece;
+    progress.last_piece = to_piece;
+    progress.starts_at_zero = stretch.is_inside;
+    progress.is_last_side = true;
+    return progress;
+}
+
+// The width of a panel that ends at the next knot: between two knots the weight is one polynomial.
+float ew_width_to_knot(ew_arc arc, ew_stretch stretch, ew_progress progress)
+{
+    float knot = max(ew_next_knot(arc, progress.piece, progress.last_piece), -stretch.center);
+    float width = -knot / ((knot + stretch.depth) * stretch.depth) - progress.x;
+    return progress.remaining >= 0.0 ? clamp(width, 0.0, progress.remaining) : clamp(width, progress.remaining, 0.0);
+}
+
+// The step control: goes on behind a panel that `is_fine`, or back to a shorter one.
+ew_progress ew_advance(ew_stretch stretch, ew_progress progress, float width, bool is_at_knot, bool is_fine, bool is_last_try)
+{
+    float left = progress.remaining - width;
+    float next = EW_PANEL_GROWTH * width;
+    if (progress.starts_at_zero) next = width >= 0.0 ? max(next, stretch.peak) : min(next, -stretch.peak);
+    if (is_at_knot) next = progress.proposal;
+    if (is_at_knot && is_fine) progress.piece += progress.last_piece > progress.piece ? 1.0 : -1.0;
+    if (abs(left) < 1.5 * abs(next) || is_last_try) next = left;
+    progress.x = is_fine ? progress.x + width : progress.x;
+    progress.remaining = is_fine ? left : progress.remaining;
+    progress.proposal = is_fine ? next : EW_PANEL_SHRINKAGE * width;
+    progress.starts_at_zero = progress.starts_at_zero && !is_fine;
+    return progress;
+}
+
+// The integral over s in [from, to] of the rest / (s + beta)^2, each panel's error below `allowance` by an estimate: four nodes
+// see what four nodes see.
+float ew_integrate_rest(ew_arc arc, ew_passage passage, float from, float to, float allowance)
+{
+    ew_stretch stretch = ew_make_stretch(arc, passage, from, to);
+    arc.start += stretch.center * arc.direction;
+    arc.equation_start += stretch.center * arc.equation_growth;
+    passage.s0 -= stretch.center;
+    float from_piece = ew_piece_at(arc, from - stretch.center);
+    float center_piece = ew_piece_at(arc, 0.0);
+    float to_piece = ew_piece_at(arc, to - stretch.center);
+
+    ew_progress progress = ew_start_stretch(stretch, from_piece, center_piece, to_piece);
+    float sum = 0.0;
+    for (int panel = 0; panel < EW_MAX_PANELS; ++panel) {
+        bool is_last_try = panel >= EW_MAX_PANELS - EW_LAST_TRIES;
+        float to_knot = ew_width_to_knot(arc, stretch, progress);
+        bool has_knot = ew_has_knot(progress.piece, progress.last_piece) && !is_last_try;
+        bool is_at_knot = has_knot && abs(to_knot) <= abs(progress.proposal);
+        float width = is_at_knot ? to_knot : progress.proposal;
+
+        ew_rule rule = ew_choose_rule(progress.starts_at_zero);
+        vec4 x = progress.x + width * rule.nodes;
+        ew_rest rest = ew_rest_at(arc, passage, -stretch.depth2 * x / (1.0 + stretch.depth * x), progress.piece);
+        float error = (abs(dot(rest.values, rule.differences)) + rule.curvature_share * rest.curvature) * abs(width);
+        // Panels shorter than the digits of s would only add up noise.
+        bool is_fine = error <= allowance || is_last_try || abs(width) * stretch.depth2 < 1e-6 * stretch.center;
+        sum += is_fine ? abs(width) * dot(rule.weights, rest.values) : 0.0;
+
+        bool is_side_done = is_fine && width == progress.remaining;
+        if (is_side_done && progress.is_last_side) break;
+        progress = ew_advance(stretch, progress, width, is_at_knot, is_fine, is_last_try);
+        if (is_side_done) progress = ew_start_far_side(stretch, center_piece, to_piece);
+    }
+    return sum;
+}
