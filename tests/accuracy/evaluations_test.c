@@ -3,9 +3,8 @@
  *
  *     evaluations_test SHARE SCENE.json...
  *
- * Averaged over a picture, a scene may cost one evaluation for each of its points and lines, which have closed forms, and for
- * each torus and curve SHARE of the 201 that the published method takes (Simpson's rule with 200 divisions). And a better
- * quality never costs less.
+ * Averaged over a picture, a scene may cost one evaluation for each source that has a closed form, and for each other one SHARE
+ * of the 201 that the published method takes (Simpson's rule with 200 divisions). And a better quality never costs less.
  *
  * Exit status: 0; 1 for a scene that costs more; 2 for bad input; 77 if there is no context.
  */
@@ -13,6 +12,7 @@
 #include "field_drawer.h"
 #include "scene_file.h"
 #include "scene_rays.h"
+#include "source_kinds.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -49,8 +49,9 @@ static bool report(const char *path, const ew_sources_desc *sources, double shar
 {
     const char *slash = strrchr(path, '/');
     const double *mean = counts->mean;
-    double closed = (double)(sources->point_count + sources->line_count);
-    double other = (double)(sources->torus_count + sources->curve_count), most = closed + share * SIMPSON * other;
+    double most = 0;
+    for (int k = 0; k < SOURCE_KIND_COUNT; k++)
+        most += (double)source_count(source_kinds[k], sources) * (source_kinds[k]->has_closed_form ? 1 : share * SIMPSON);
     bool ok = mean[EW_QUALITY_ERROR_1E_3] <= most && mean[EW_QUALITY_ERROR_1E_2] <= mean[EW_QUALITY_ERROR_1E_3] &&
               mean[EW_QUALITY_ERROR_1E_3] <= mean[EW_QUALITY_ERROR_1E_4];
     printf("%-44s %7.1f evaluations a pixel, %7.1f allowed (1e-2: %.1f, 1e-4: %.1f)%s\n", slash ? slash + 1 : path,

@@ -7,6 +7,7 @@
 #include "named_integrator.h"
 #include "picture.h"
 #include "scene_rays.h"
+#include "source_kinds.h"
 
 #include <getopt.h>
 #include <math.h>
@@ -163,16 +164,10 @@ static bool read_options(int argc, char **argv, command_line *options)
 /* ---- Scenes ---------------------------------------------------------------------------------------------------------------
  */
 
-static size_t source_count(const ew_scene *scene)
-{
-    const ew_sources_desc *sources = &scene->sources;
-    return sources->point_count + sources->line_count + sources->torus_count + sources->curve_count;
-}
-
 /* As many as take the reference about a second. */
 static size_t default_pixels(const ew_scene *scene)
 {
-    size_t sources = source_count(scene), pixels = 40000 / (sources + 1);
+    size_t sources = source_count_of_all_kinds(&scene->sources), pixels = 40000 / (sources + 1);
     return pixels > 4000 ? 4000 : pixels < 400 ? 400 : pixels;
 }
 

@@ -11,9 +11,10 @@
  */
 #include "context.h"
 #include "field_drawer.h"
-#include "reference.h"
+#include "reference_arc.h"
 #include "scene_file.h"
 #include "scene_rays.h"
+#include "source_kinds.h"
 #include "vector.h"
 
 #include <math.h>
@@ -100,45 +101,20 @@ typedef struct rigid_motion {
     double translation[3];
 } rigid_motion;
 
-static void turn(const rigid_motion *motion, double direction[3])
+static void turn(const void *user, double direction[3])
 {
+    const rigid_motion *motion = user;
     double turned[3];
     for (int i = 0; i < 3; i++)
         turned[i] = vector_dot(motion->rotation[i], direction);
     vector_copy(turned, direction);
 }
 
-static void move(const rigid_motion *motion, double position[3])
+static void move(const void *user, double position[3])
 {
+    const rigid_motion *motion = user;
     turn(motion, position);
     vector_add_scaled(position, 1, motion->translation, position);
-}
-
-static void move_sources(const rigid_motion *motion, ew_point *points, ew_line *lines, ew_torus *tori, ew_curve *curves,
-                         const ew_sources_desc *counts)
-{
-    for (size_t i = 0; i < counts->point_count; i++)
-        move(motion, points[i].position);
-    for (size_t i = 0; i < counts->line_count; i++) {
-        move(motion, lines[i].position);
-        turn(motion, lines[i].direction);
-    }
-    for (size_t i = 0; i < counts->torus_count; i++) {
-        move(motion, tori[i].center);
-        turn(motion, tori[i].axis);
-    }
-    for (size_t i = 0; i < counts->curve_count; i++) {
-        move(motion, curves[i].polynomial[0]);
-        turn(motion, curves[i].polynomial[1]);
-        turn(motion, curves[i].polynomial[2]);
-    }
-}
-
-static void *copy_list(const void *list, size_t count, size_t size)
-{
-    void *copy = malloc(count * size + 1);
-    if (copy && count > 0) memcpy(copy, list, count * size);
-    return copy;
 }
 
 /* Turned about an odd axis and carried away by many times its distance, camera and all, it is the same picture: only roundings
@@ -153,32 +129,18 @@ static bool moves_rigidly(stage *s, const luminance_sum *whole)
     for (int i = 0; i < 3; i++)
         motion.translation[i] = (i - 0.7) * 1000 * (s->scene->interval_end - s->scene->interval_start);
 
-    const ew_sources_desc *sources = &s->scene->sources;
-    ew_point *points = copy_list(sources->points, sources->point_count, sizeof *points);
-    ew_line *lines = copy_list(sources->lines, sources->line_count, sizeof *lines);
-    ew_torus *tori = copy_list(sources->tori, sources->torus_count, sizeof *tori);
-    ew_curve *curves = copy_list(sources->curves, sources->curve_count, sizeof *curves);
-    bool ok = points && lines && tori && curves;
-    if (ok) {
-        luminance_sum moved = {{0}, {0}};
-        ew_scene scene = *s->scene;
-        stage other = {.path = s->path, .scene = &scene, .drawer = s->drawer};
-        move_sources(&motion, points, lines, tori, curves, sources);
-        scene.sources.points = points;
-        scene.sources.lines = lines;
-        scene.sources.tori = tori;
-        scene.sources.curves = curves;
-        move(&motion, scene.camera.eye);
-        move(&motion, scene.camera.target);
-        turn(&motion, scene.camera.up);
-        ew_frame_desc frame = scene_frame(&other);
-        ok = add_picture(&other, &scene.sources, &frame, s->depth, 1, &moved);
-        if (ok) compare(s, "moved rigidly", whole, &moved, NULL);
-    }
-    free(points);
-    free(lines);
-    free(tori);
-    free(curves);
+    luminance_sum moved = {{0}, {0}};
+    ew_scene scene = *s->scene;
+    stage other = {.path = s->path, .scene = &scene, .drawer = s->drawer};
+    if (!copy_source_lists(&s->scene->sources, &scene.sources)) return false;
+    change_sources(&scene.sources, move, turn, &motion);
+    move(&motion, scene.camera.eye);
+    move(&motion, scene.camera.target);
+    turn(&motion, scene.camera.up);
+    ew_frame_desc frame = scene_frame(&other);
+    bool ok = add_picture(&other, &scene.sources, &frame, s->depth, 1, &moved);
+    if (ok) compare(s, "moved rigidly", whole, &moved, NULL);
+    free_source_lists(&scene.sources);
     return ok;
 }
 
@@ -239,29 +201,34 @@ static void reverse_polynomial(ew_curve *curve)
     }
 }
 
+/* Reverses the curves of a copy; `weights` has room for all their weights. */
+static void reverse_curves(ew_curve *curves, size_t count, double *weights)
+{
+    for (size_t i = 0; i < count; i++) {
+        ew_curve *curve = &curves[i];
+        for (size_t k = 0; k < curve->weight_count; k++)
+            weights[k] = curve->weights[curve->weight_count - 1 - k];
+        reverse_polynomial(curve);
+        if (curve->weight_count > 0) curve->weights = weights;
+        weights += curve->weight_count;
+    }
+}
+
 static bool curves_reverse(stage *s, const luminance_sum *whole)
 {
-    ew_sources_desc sources = s->scene->sources;
+    ew_sources_desc sources;
     luminance_sum reversed = {{0}, {0}};
     ew_frame_desc frame = scene_frame(s);
-    ew_curve *curves = copy_list(sources.curves, sources.curve_count, sizeof *curves);
-    size_t weight_count = 0, used = 0;
+    size_t weight_count = 0;
+    if (!copy_source_lists(&s->scene->sources, &sources)) return false;
     for (size_t i = 0; i < sources.curve_count; i++)
         weight_count += sources.curves[i].weight_count;
     double *weights = malloc(weight_count * sizeof *weights + 1);
-    bool ok = curves && weights;
-    for (size_t i = 0; ok && i < sources.curve_count; i++) {
-        size_t count = curves[i].weight_count;
-        for (size_t k = 0; k < count; k++)
-            weights[used + k] = curves[i].weights[count - 1 - k];
-        reverse_polynomial(&curves[i]);
-        curves[i].weights = count > 0 ? weights + used : NULL;
-        used += count;
-    }
-    sources.curves = curves;
-    ok = ok && add_picture(s, &sources, &frame, s->depth, 1, &reversed);
+    /* The library's lists are lists of constants; this is a copy. */
+    if (weights) reverse_curves((ew_curve *)sources.curves, sources.curve_count, weights);
+    bool ok = weights && add_picture(s, &sources, &frame, s->depth, 1, &reversed);
     if (ok) compare(s, "curves reversed", whole, &reversed, NULL);
-    free(curves);
+    free_source_lists(&sources);
     free(weights);
     return ok;
 }

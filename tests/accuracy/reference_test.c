@@ -2,6 +2,8 @@
  * The reference against closed forms, hand-computed values and brute force in extended precision.
  */
 #include "reference.h"
+#include "reference_arc.h"
+#include "reference_weight.h"
 
 #include <math.h>
 #include <setjmp.h>
