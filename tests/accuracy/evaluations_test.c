@@ -8,7 +8,7 @@
  *
  * Exit status: 0; 1 for a scene that costs more; 2 for bad input; 77 if there is no context.
  */
-#include "context.h"
+#include "effect_context.h"
 #include "field_drawer.h"
 #include "scene_file.h"
 #include "scene_rays.h"
@@ -18,7 +18,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { EXIT_WRONG = 1, EXIT_BAD_INPUT = 2, EXIT_NO_CONTEXT = 77 };
 enum { SIDE = 64, PIXEL_COUNT = SIDE * SIDE, SIMPSON = 201 };
 
 typedef struct quality_counts {
@@ -86,32 +85,24 @@ static bool check_scene(field_drawer *drawer, const char *path, double share, bo
 int main(int argc, char **argv)
 {
     char message[400];
-    ew_effect *effect;
-    ew_error error;
+    effect_context drawing;
     field_drawer drawer;
     double share = argc > 1 ? strtod(argv[1], NULL) : 0;
     bool wrong = false;
-    setenv("EGL_LOG_LEVEL", "fatal", 0);
     if (argc < 3 || !(share > 0)) {
         fprintf(stderr, "evaluations_test: give a share and scenes\n");
         return EXIT_BAD_INPUT;
     }
-    gl_context *context = context_create(CONTEXT_EGL, message, sizeof message);
-    if (!context) {
-        printf("SKIPPED: %s\n", message);
-        return EXIT_NO_CONTEXT;
-    }
-    ew_effect_desc desc = {.get_proc_address = context_get_proc_address, .user = context};
-    bool ok = !ew_create_effect(&desc, &effect, &error);
-    if (!ok) fprintf(stderr, "evaluations_test: %s\n", error.text);
+    int status = effect_context_create("evaluations_test", &drawing);
+    if (status != EXIT_SUCCESS) return status;
+    bool ok = field_drawer_create(drawing.context, drawing.effect, SIDE, SIDE, &drawer, message, sizeof message);
     if (ok) {
-        ok = field_drawer_create(context, effect, SIDE, SIDE, &drawer, message, sizeof message);
-        if (!ok) fprintf(stderr, "evaluations_test: %s\n", message);
         for (int i = 2; ok && i < argc; i++)
             ok = check_scene(&drawer, argv[i], share, &wrong);
-        if (ok) field_drawer_destroy(&drawer);
-        ew_destroy_effect(effect);
+        field_drawer_destroy(&drawer);
+    } else {
+        fprintf(stderr, "evaluations_test: %s\n", message);
     }
-    context_destroy(context);
+    effect_context_destroy(&drawing);
     return !ok ? EXIT_BAD_INPUT : wrong ? EXIT_WRONG : EXIT_SUCCESS;
 }

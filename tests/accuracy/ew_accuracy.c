@@ -4,6 +4,7 @@
 #include "command_line.h"
 #include "comparison.h"
 #include "context.h"
+#include "heatmap.h"
 #include "named_integrator.h"
 #include "picture.h"
 #include "scene_rays.h"

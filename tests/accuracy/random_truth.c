@@ -1,23 +1,12 @@
 /* The truth about random scenes: see random_truth.h. */
 #include "random_truth.h"
-#include "reference.h"
+#include "reference_threads.h"
 
 #include <math.h>
-#include <pthread.h>
-#include <stdatomic.h>
 #include <unistd.h>
-
-enum { MAX_THREADS = 64 };
 
 /* Errors are relative to the truth or, where it is darker, to this share of the largest truth of the scene. */
 #define DARK 1e-3
-
-typedef struct truth_job {
-    random_picture *pictures;
-    size_t count;
-    atomic_size_t next;
-    atomic_bool failed;
-} truth_job;
 
 static void round_to_float(double place[3])
 {
@@ -70,36 +59,18 @@ static void compute_truth(reference_workspace *workspace, const scene_rays *rays
     picture->sensitivity = truth_sensitivity(workspace, rays, picture->worst, DARK * largest);
 }
 
-static void *compute_truths(void *user)
+static bool compute_picture(void *user, reference_workspace *workspace, size_t index)
 {
-    truth_job *job = user;
-    reference_workspace *workspace = reference_create_workspace();
-    for (size_t i; workspace && (i = atomic_fetch_add(&job->next, 1)) < job->count;) {
-        random_picture_scene scene;
-        char message[300];
-        if (!random_picture_load(job->pictures[i].seed, &scene, message, sizeof message)) {
-            atomic_store(&job->failed, true);
-            break;
-        }
-        compute_truth(workspace, &scene.rays, &job->pictures[i]);
-        random_picture_unload(&scene);
-    }
-    if (!workspace) atomic_store(&job->failed, true);
-    reference_destroy_workspace(workspace);
-    return NULL;
+    random_picture *picture = (random_picture *)user + index;
+    random_picture_scene scene;
+    char message[300];
+    if (!random_picture_load(picture->seed, &scene, message, sizeof message)) return false;
+    compute_truth(workspace, &scene.rays, picture);
+    random_picture_unload(&scene);
+    return true;
 }
 
 bool random_truths_compute(random_picture *pictures, size_t count)
 {
-    truth_job job = {.pictures = pictures, .count = count};
-    pthread_t threads[MAX_THREADS];
-    long processors = sysconf(_SC_NPROCESSORS_ONLN);
-    int started = 0;
-    while (started < processors - 1 && started < MAX_THREADS &&
-           pthread_create(&threads[started], NULL, compute_truths, &job) == 0)
-        started++;
-    compute_truths(&job);
-    for (int i = 0; i < started; i++)
-        pthread_join(threads[i], NULL);
-    return !atomic_load(&job.failed);
+    return reference_threads_run(compute_picture, pictures, count, (int)sysconf(_SC_NPROCESSORS_ONLN));
 }

@@ -80,4 +80,11 @@ typedef struct source_kind {
     size_t (*numbers)(void *source, number_run runs[MAX_SOURCE_RUNS]);
 } source_kind;
 
+/* The part of a row that says where things are: of the kind with sources of `type`, which have a `coefficient`, whose count in
+ * ew_sources_desc and ew_mix has the same name. */
+#define SOURCE_KIND_LAYOUT(type, list, count, position)                                                                        \
+    .size = sizeof(type), .list_offset = offsetof(ew_sources_desc, list), .count_offset = offsetof(ew_sources_desc, count),    \
+    .mix_count_offset = offsetof(ew_mix, count), .position_offset = offsetof(type, position),                                  \
+    .coefficient_offset = offsetof(type, coefficient)
+
 #endif

@@ -36,12 +36,7 @@ static void make(const random_place *at, void *source, double *weights)
 const source_kind point_kind = {
     .name = "point",
     .list_name = "points",
-    .size = sizeof(ew_point),
-    .list_offset = offsetof(ew_sources_desc, points),
-    .count_offset = offsetof(ew_sources_desc, point_count),
-    .mix_count_offset = offsetof(ew_mix, point_count),
-    .position_offset = offsetof(ew_point, position),
-    .coefficient_offset = offsetof(ew_point, coefficient),
+    SOURCE_KIND_LAYOUT(ew_point, points, point_count, position),
     .has_closed_form = true,
     .nearest = nearest,
     .place = place,

@@ -1,5 +1,6 @@
 /* Where to divide a ray: see break_points.h. */
 #include "break_points.h"
+#include "sort.h"
 #include "source_kinds.h"
 #include "vector.h"
 
@@ -17,12 +18,6 @@ static int compare_samples(const void *a, const void *b)
 static void sort_samples(break_point_search *search)
 {
     qsort(search->samples, search->sample_count, sizeof *search->samples, compare_samples);
-}
-
-static int compare_numbers(const void *a, const void *b)
-{
-    const double *first = a, *second = b;
-    return (*first > *second) - (*first < *second);
 }
 
 /* Adds a sample where x is within the ray's range. */
@@ -189,7 +184,7 @@ static void finish(break_point_search *search, integrand *f, double end)
     search->break_points[search->break_point_count++] = end;
     for (size_t i = 0; i < search->break_point_count; i++)
         search->break_points[i] -= origin;
-    qsort(search->break_points, search->break_point_count, sizeof(double), compare_numbers);
+    sort_numbers(search->break_points, search->break_point_count);
 }
 
 void break_points_find(break_point_search *search, integrand *f, double end)
