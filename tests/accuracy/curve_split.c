@@ -27,35 +27,44 @@ static double nearness(const ew_curve parts[2], const reference_ray *ray, double
     return fabs(difference) < 1e-9 * (distances[0] + distances[1]) ? 0 : difference;
 }
 
-/* Where the nearer part changes: returns how often it does, up to 2; with 1, *s is where, and *first the part that is nearer
- * before. With 0 that is nearest all the way. */
-static int find_change(const ew_curve parts[2], const reference_ray *ray, double *s, int *first)
+/* Where the sign of nearness changes between low, where it is that of `before`, and high. */
+static double bisect_change(const ew_curve parts[2], const reference_ray *ray, double low, double high, double before)
+{
+    for (int k = 0; k < 60; k++) {
+        double middle = 0.5 * (low + high), at_middle = nearness(parts, ray, middle);
+        if (at_middle != 0 && (at_middle > 0) == (before > 0))
+            low = middle;
+        else
+            high = middle;
+    }
+    return high;
+}
+
+/* Where along a ray the nearer part changes. */
+typedef struct part_order {
+    int changes; /* how often it does, up to 2 */
+    double s;    /* of the last change */
+    int first;   /* the part that is nearer before */
+} part_order;
+
+static part_order find_order(const ew_curve parts[2], const reference_ray *ray)
 {
     double last_s = 0, last = 0;
-    int changes = 0;
-    *first = 0;
-    for (int i = 0; i <= STEPS && changes < 2; i++) {
+    part_order order = {0};
+    for (int i = 0; i <= STEPS && order.changes < 2; i++) {
         /* Denser towards the eye, where the light is. */
         double here_s = ray->s_max * pow(i / (double)STEPS, 2), here = nearness(parts, ray, here_s);
         if (here == 0) continue;
         if (last == 0) {
-            *first = here > 0;
+            order.first = here > 0;
         } else if ((here > 0) != (last > 0)) {
-            double low = last_s, high = here_s;
-            for (int k = 0; k < 60; k++) {
-                double middle = 0.5 * (low + high), at_middle = nearness(parts, ray, middle);
-                if (at_middle != 0 && (at_middle > 0) == (last > 0))
-                    low = middle;
-                else
-                    high = middle;
-            }
-            *s = high;
-            changes++;
+            order.s = bisect_change(parts, ray, last_s, here_s, last);
+            order.changes++;
         }
         last = here;
         last_s = here_s;
     }
-    return changes;
+    return order;
 }
 
 static ew_curve part_of(const ew_curve *curve, const double ramp[2], const double ends[2], double weights[2])
@@ -71,50 +80,66 @@ static ew_curve part_of(const ew_curve *curve, const double ramp[2], const doubl
     return part;
 }
 
+/* At each pixel, what hides the light behind the change, and whether the equation says something, with which part first. */
+typedef struct change_map {
+    float depth[EQUATION_PIXEL_COUNT];
+    bool applies[EQUATION_PIXEL_COUNT];
+    int first[EQUATION_PIXEL_COUNT];
+} change_map;
+
+static void map_changes(const equation_stage *s, const ew_curve parts[2], change_map *map)
+{
+    for (int i = 0; i < EQUATION_PIXEL_COUNT; i++) {
+        double opaque_depth = scene_rays_stored_depth(&s->rays, (double)s->depth[i]);
+        reference_ray ray = scene_rays_ray(&s->rays, i % EQUATION_SIDE + 0.5, i / EQUATION_SIDE + 0.5, opaque_depth);
+        part_order order = find_order(parts, &ray);
+        double depth = s->rays.interval_start + order.s * (s->rays.interval_end - s->rays.interval_start);
+        map->depth[i] = scene_rays_depth_to_store(&s->rays, order.changes == 0 ? opaque_depth : depth);
+        map->applies[i] = order.changes < 2;
+        map->first[i] = order.first;
+    }
+}
+
+/* The right side of the equation, as if the same part came first everywhere. */
+static bool add_parts(equation_stage *s, const ew_curve *near, const ew_curve *far, const float *depth_at_change,
+                      luminance_sum *sum)
+{
+    ew_frame_desc frame = equation_frame(s);
+    double epsilon = s->scene->sources.epsilon;
+    ew_sources_desc near_part = {.curves = near, .curve_count = 1, .epsilon = epsilon};
+    ew_sources_desc far_part = {.curves = far, .curve_count = 1, .epsilon = epsilon};
+    return equation_add_picture(s, &near_part, &frame, depth_at_change, 1, sum) &&
+           equation_add_picture(s, &far_part, &frame, s->depth, 1, sum) &&
+           equation_add_picture(s, &far_part, &frame, depth_at_change, -1, sum);
+}
+
 bool curve_splits(equation_stage *s, size_t index, const double ramp[2])
 {
-    const double *domain = s->scene->sources.curves[index].domain, middle = domain[0] + 0.4 * (domain[1] - domain[0]);
-    const double ends[3][2] = {{domain[0], domain[1]}, {domain[0], middle}, {middle, domain[1]}};
+    const ew_curve *curve = &s->scene->sources.curves[index], *seen = &s->rays.sources.curves[index];
+    const double *domain = curve->domain, middle = domain[0] + 0.4 * (domain[1] - domain[0]);
+    const double ends[2][2] = {{domain[0], middle}, {middle, domain[1]}};
     double weights[3][2];
-    ew_curve seen[2], drawn[3];
-    for (int i = 0; i < 3; i++)
-        drawn[i] = part_of(&s->scene->sources.curves[index], ramp, ends[i], weights[i]);
-    for (int i = 0; i < 2; i++)
-        seen[i] = part_of(&s->rays.sources.curves[index], NULL, ends[i + 1], NULL);
+    ew_curve arc = part_of(curve, ramp, domain, weights[2]), drawn_parts[2], seen_parts[2];
+    for (int i = 0; i < 2; i++) {
+        drawn_parts[i] = part_of(curve, ramp, ends[i], weights[i]);
+        seen_parts[i] = part_of(seen, NULL, ends[i], NULL);
+    }
+    static change_map map;
+    map_changes(s, seen_parts, &map);
 
-    /* Which part comes first differs from pixel to pixel, so both ways are drawn; `order` says which one is meant. */
-    static float depth_at_change[EQUATION_PIXEL_COUNT];
-    static bool applies[2][EQUATION_PIXEL_COUNT];
-    for (int i = 0; i < EQUATION_PIXEL_COUNT; i++) {
-        double opaque_depth = scene_rays_stored_depth(&s->rays, (double)s->depth[i]), change = 0;
-        reference_ray ray = scene_rays_ray(&s->rays, i % EQUATION_SIDE + 0.5, i / EQUATION_SIDE + 0.5, opaque_depth);
-        int first, changes = find_change(seen, &ray, &change, &first);
-        double depth = s->rays.interval_start + change * (s->rays.interval_end - s->rays.interval_start);
-        depth_at_change[i] = scene_rays_depth_to_store(&s->rays, changes == 0 ? opaque_depth : depth);
-        applies[0][i] = changes < 2 && first == 0;
-        applies[1][i] = changes < 2 && first == 1;
-    }
-    luminance_sum whole = {{0}, {0}}, ordered[2] = {{{0}, {0}}, {{0}, {0}}}, parts;
+    luminance_sum whole = {{0}, {0}}, by_first[2] = {{{0}, {0}}, {{0}, {0}}}, parts;
     ew_frame_desc frame = equation_frame(s);
-    ew_sources_desc arc = {.curves = &drawn[0], .curve_count = 1, .epsilon = s->scene->sources.epsilon};
-    if (!equation_add_picture(s, &arc, &frame, s->depth, 1, &whole)) return false;
-    for (int order = 0; order < 2; order++) {
-        ew_sources_desc near = arc, far = arc;
-        near.curves = &drawn[1 + order];
-        far.curves = &drawn[2 - order];
-        if (!equation_add_picture(s, &near, &frame, depth_at_change, 1, &ordered[order]) ||
-            !equation_add_picture(s, &far, &frame, s->depth, 1, &ordered[order]) ||
-            !equation_add_picture(s, &far, &frame, depth_at_change, -1, &ordered[order]))
-            return false;
-    }
+    ew_sources_desc whole_arc = {.curves = &arc, .curve_count = 1, .epsilon = s->scene->sources.epsilon};
+    if (!equation_add_picture(s, &whole_arc, &frame, s->depth, 1, &whole)) return false;
+    /* Which part comes first differs from pixel to pixel, so both ways are drawn. */
+    for (int first = 0; first < 2; first++)
+        if (!add_parts(s, &drawn_parts[first], &drawn_parts[1 - first], map.depth, &by_first[first])) return false;
     for (int i = 0; i < EQUATION_PIXEL_COUNT; i++) {
-        const luminance_sum *meant = &ordered[applies[1][i]];
-        parts.sum[i] = meant->sum[i];
-        parts.allowance[i] = meant->allowance[i];
-        applies[0][i] = applies[0][i] || applies[1][i];
+        parts.sum[i] = by_first[map.first[i]].sum[i];
+        parts.allowance[i] = by_first[map.first[i]].allowance[i];
     }
     char name[40];
     snprintf(name, sizeof name, "curve %zu split%s", index, ramp ? ", weighted" : "");
-    equation_compare(s, name, &whole, &parts, applies[0]);
+    equation_compare(s, name, &whole, &parts, map.applies);
     return true;
 }

@@ -28,8 +28,7 @@ static bool count_evaluations(field_drawer *drawer, const ew_scene *scene, const
                               ew_error *error)
 {
     static float depth[PIXEL_COUNT], evaluations[PIXEL_COUNT];
-    for (int i = 0; i < PIXEL_COUNT; i++)
-        depth[i] = scene_rays_depth_to_store(rays, scene_rays_cast(rays, i % SIDE + 0.5, i / SIDE + 0.5));
+    scene_rays_cast_all(rays, depth);
     for (int quality = EW_QUALITY_ERROR_1E_2; quality <= EW_QUALITY_ERROR_1E_4; quality++) {
         render_settings settings = {
             .width = SIDE, .height = SIDE, .integrator = EW_INTEGRATOR_ADAPTIVE, .quality = (ew_quality)quality};

@@ -185,9 +185,7 @@ static bool check_scene(effect_context *drawing, const char *path, bool *wrong)
     }
     bool ok = scene_rays_create(&scene, EQUATION_SIDE, EQUATION_SIDE, &s.rays);
     if (ok) {
-        for (int i = 0; i < EQUATION_PIXEL_COUNT; i++)
-            s.depth[i] =
-                scene_rays_depth_to_store(&s.rays, scene_rays_cast(&s.rays, i % EQUATION_SIDE + 0.5, i / EQUATION_SIDE + 0.5));
+        scene_rays_cast_all(&s.rays, s.depth);
         ok = field_drawer_create(drawing->context, drawing->effect, EQUATION_SIDE, EQUATION_SIDE, &s.drawer, message,
                                  sizeof message);
         if (ok) {

@@ -122,3 +122,10 @@ double scene_rays_cast(const scene_rays *rays, double x, double y)
     }
     return nearest;
 }
+
+void scene_rays_cast_all(const scene_rays *rays, float *depth)
+{
+    for (int y = 0; y < rays->height; y++)
+        for (int x = 0; x < rays->width; x++)
+            *depth++ = scene_rays_depth_to_store(rays, scene_rays_cast(rays, x + 0.5, y + 0.5));
+}

@@ -5,6 +5,7 @@
 #include <float.h>
 #include <limits.h>
 #include <math.h>
+#include <string.h>
 
 #define COUNT(array) (sizeof(array) / sizeof((array)[0]))
 
@@ -117,41 +118,13 @@ void spoil_lists(random_desc *desc, uint64_t *random)
 void spoil_frame_integer(random_desc *desc, uint64_t *random)
 {
     static const int integers[] = {-1, 99, INT_MAX, INT_MIN, 255, 0x7fc00000};
-    ew_frame_desc *frame = &desc->frame;
+    static const size_t fields[] = {
+        offsetof(ew_frame_desc, clip_depth),   offsetof(ew_frame_desc, integrator),        offsetof(ew_frame_desc, quality),
+        offsetof(ew_frame_desc, output),       offsetof(ew_frame_desc, simpson_divisions), offsetof(ew_frame_desc, viewport_x),
+        offsetof(ew_frame_desc, viewport_y),   offsetof(ew_frame_desc, viewport_width),    offsetof(ew_frame_desc, encoding),
+        offsetof(ew_frame_desc, depth_source), offsetof(ew_frame_desc, viewport_height),
+    };
     int integer = integers[random_index(random, COUNT(integers))];
-    switch (random_index(random, 11)) {
-    case 0:
-        frame->clip_depth = (ew_clip_depth)integer;
-        break;
-    case 1:
-        frame->integrator = (ew_integrator)integer;
-        break;
-    case 2:
-        frame->quality = (ew_quality)integer;
-        break;
-    case 3:
-        frame->output = (ew_output)integer;
-        break;
-    case 4:
-        frame->simpson_divisions = integer;
-        break;
-    case 5:
-        frame->viewport_x = integer;
-        break;
-    case 6:
-        frame->viewport_y = integer;
-        break;
-    case 7:
-        frame->viewport_width = integer;
-        break;
-    case 8:
-        frame->encoding = (ew_encoding)integer;
-        break;
-    case 9:
-        frame->depth_source = (ew_depth_source)integer;
-        break;
-    default:
-        frame->viewport_height = integer;
-        break;
-    }
+    _Static_assert(sizeof(ew_output) == sizeof integer, "an enumeration is copied as an int");
+    memcpy((char *)&desc->frame + fields[random_index(random, COUNT(fields))], &integer, sizeof integer);
 }
