@@ -38,7 +38,7 @@ typedef struct random_desc {
 } random_desc;
 
 /* The ordinary are what a host would ask for, at a scale of 1. The extreme go to the ends of the ranges that energywave.h
- * promises, and degenerate: sources at the eye, at the interval's ends, coincident control points, rings of radius 0. The
+ * promises, and degenerate: sources at the eye, at the interval's ends, coincident control points, tori of radius 0. The
  * library may refuse them, where a combination goes too far. Neither names a target or a depth. Returns false where memory is
  * exhausted; `desc` is to be freed in any case. */
 bool random_desc_make(random_desc *desc, const shader_mix *mix, bool extreme, int width, int height, uint64_t *random);
