@@ -236,7 +236,17 @@ static void shares_add_up_in_the_order_of_the_kinds(void **state)
     ew_line line = {.position = {0, 1, 0}, .direction = {0, 0, 3}, .coefficient = 2};
     ew_torus torus = {.axis = {0, 0, 1}, .radius = 1, .coefficient = 3};
     ew_curve curve = random_curve(&random, 0);
-    const ew_sources_desc all = {points, 2, &line, 1, &torus, 1, &curve, 1, 1e-3};
+    const ew_sources_desc all = {
+        .points = points,
+        .point_count = 2,
+        .lines = &line,
+        .line_count = 1,
+        .tori = &torus,
+        .torus_count = 1,
+        .curves = &curve,
+        .curve_count = 1,
+        .epsilon = 1e-3,
+    };
     const ew_sources_desc alone[] = {
         {.points = points, .point_count = 1, .epsilon = 1e-3}, {.points = points + 1, .point_count = 1, .epsilon = 1e-3},
         {.lines = &line, .line_count = 1, .epsilon = 1e-3},    {.tori = &torus, .torus_count = 1, .epsilon = 1e-3},

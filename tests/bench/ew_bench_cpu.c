@@ -116,8 +116,17 @@ static void make_sources(ew_sources_desc *sources)
         tori[i] = (ew_torus){{x, 0, 0}, {x, 0, 1}, 0.5, 1, {1, 1, 1}};
         curves[i] = (ew_curve){{{x, 0, 0}, {1, 1, 0}, {0, 0, 1}}, {0, 1}, weights, 4, 1, {1, 1, 1}};
     }
-    *sources = (ew_sources_desc){points, SOURCES_OF_A_KIND, lines, SOURCES_OF_A_KIND, tori, SOURCES_OF_A_KIND,
-                                 curves, SOURCES_OF_A_KIND, 1e-2};
+    *sources = (ew_sources_desc){
+        .points = points,
+        .point_count = SOURCES_OF_A_KIND,
+        .lines = lines,
+        .line_count = SOURCES_OF_A_KIND,
+        .tori = tori,
+        .torus_count = SOURCES_OF_A_KIND,
+        .curves = curves,
+        .curve_count = SOURCES_OF_A_KIND,
+        .epsilon = 1e-2,
+    };
 }
 
 static int fail(const char *message)
