@@ -12,8 +12,8 @@
  * L(s) = S + s (E - S) is the ray through the pixel's centre, with S at view depth `interval_start` and E at `interval_end`.
  * s_max is where the ray meets the host's opaque scene, at most 1. The formulas are from Watanabe, Abe, Konno: "Real-Time
  * Rendering Technique for Visual Expression of Arbitrary-Shaped Energy Wave", equations (2), (3), (7), (13), (17), (18), (20)
- * and (21); thesis (3.2) adds the lower limit `epsilon` of the distance. With alpha = beta = 1 and E twice as far away as S, the decay is
- * exactly the inverse square of the distance from the eye, scaled to 1 at S.
+ * and (21); thesis (3.2) adds the lower limit `epsilon` of the distance. With alpha = beta = 1 and E twice as far away as S,
+ * the decay is exactly the inverse square of the distance from the eye, scaled to 1 at S.
  *
  * One fragment shader on one quad over the viewport computes the whole integral, for all sources in one pass.
  *

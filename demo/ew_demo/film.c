@@ -1,11 +1,11 @@
 /* The last step of a picture: see film.h. */
 #include "film.h"
+#include "demo_shaders.h"
 #include "shader.h"
-#include "shader_text.h"
 
 bool film_create(const gl_functions *gl, demo_film *film, char *message, size_t size)
 {
-    film->program = shader_link(gl, shader_text_screen_vert, shader_text_film_frag, "the film's", message, size);
+    film->program = shader_link(gl, demo_shader_screen_vert, demo_shader_film_frag, "the film's", message, size);
     if (film->program) gl->GenVertexArrays(1, &film->no_vertices);
     return film->program != 0;
 }

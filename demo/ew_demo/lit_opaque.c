@@ -2,11 +2,11 @@
 #include "lit_opaque.h"
 #include "camera.h"
 #include "court.h"
+#include "demo_shaders.h"
 #include "energy_lights.h"
 #include "message.h"
 #include "opaque.h"
 #include "shader.h"
-#include "shader_text.h"
 #include "vector.h"
 
 #include <stdlib.h>
@@ -57,7 +57,7 @@ lit_opaque *lit_opaque_create(const gl_functions *gl, const demo_scene *scene, c
         lit_opaque_destroy(lit);
         return NULL;
     }
-    lit->program = shader_link(gl, shader_text_lit_opaque_vert, shader_text_lit_opaque_frag, "the court's", message, size);
+    lit->program = shader_link(gl, demo_shader_lit_opaque_vert, demo_shader_lit_opaque_frag, "the court's", message, size);
     if (lit->program) return lit;
     lit_opaque_destroy(lit);
     return NULL;

@@ -1,8 +1,8 @@
 /* Text and bars over the picture: see overlay.h. */
 #include "overlay.h"
+#include "demo_shaders.h"
 #include "message.h"
 #include "shader.h"
-#include "shader_text.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -65,7 +65,7 @@ demo_overlay *overlay_create(const gl_functions *gl, char *message, size_t size)
         ok = upload_indices(overlay);
         gl->BindVertexArray(0);
     }
-    if (ok) overlay->program = shader_link(gl, shader_text_overlay_vert, shader_text_overlay_frag, "the text's", message, size);
+    if (ok) overlay->program = shader_link(gl, demo_shader_overlay_vert, demo_shader_overlay_frag, "the text's", message, size);
     if (ok && overlay->program) return overlay;
     overlay_destroy(overlay);
     return NULL;

@@ -1,5 +1,5 @@
 # Draws 1 / distance to an arc along a ray, the closed form, and the rest with the nodes of the quadrature. The nodes are found
-# as in glsl/source/rest.glsl. Run by make_figures.sh.
+# as in glsl/source/rest_panels.glsl. Run by make_figures.sh.
 beta = 1.
 epsilon = 0.003
 tolerance = 1e-3 # of the quality "1e-3"

@@ -1,9 +1,9 @@
-// The uniform block: the frame, the number of sources of each kind, and then the sources: kind after kind, the pieces of weights
-// last.
+// The uniform block: the frame, the number of sources of each kind, and then the sources: kind after kind, the pieces of
+// weights last.
 //
 // Behind this file C puts, for each kind that the shader knows, EW_..._COUNT and a function ew_...(i) that reads source i: see
-// src/plan/shader_text.c. The count is a literal for few sources, so that loops unroll and the block is read at constant places.
-// (Elsewhere a software rasteriser gathers lane by lane.)
+// src/plan/shader_text.c. The count is a literal for few sources, so that loops unroll and the block is read at constant
+// places. (Elsewhere a software rasteriser gathers lane by lane.)
 
 layout(std140) uniform ew_uniforms
 {
@@ -13,8 +13,8 @@ layout(std140) uniform ew_uniforms
 };
 
 // EW_SOFTWARE: llvmpipe checks the bounds of every component that a fragment reads from a block, which costs more than a closed
-// form. So the vertex stage copies the frame to flat varyings; and the sources too, EW_SOURCE_VARYINGS vec4, where they are few.
-// GPUs read blocks as constants. With varyings, a point took 1.4 times as long there.
+// form. So the vertex stage copies the frame to flat varyings; and the sources too, EW_SOURCE_VARYINGS vec4, where they are
+// few. GPUs read blocks as constants. With varyings, a point took 1.4 times as long there.
 #ifdef EW_VERTEX_STAGE
 #define EW_VARYING flat out
 #else
@@ -57,8 +57,8 @@ int ew_simpson_divisions()
     return ew_frame.simpson.x;
 }
 
-// A member of source i of `count`. The first source has it at `start`, and each takes `size` vec4. No index into varyings depends
-// on i: the loops over sources are too long for compilers to unroll, and rasterisers that keep arrays in memory gather.
+// A member of source i of `count`. The first source has it at `start`, and each takes `size` vec4. No index into varyings
+// depends on i: the loops over sources are too long for compilers to unroll, and rasterisers that keep arrays in memory gather.
 vec4 ew_source(int start, int size, int count, int i)
 {
 #ifdef EW_SOURCE_VARYINGS

@@ -1,15 +1,15 @@
-// The structures of the uniform block, which C and GLSL share. All members are vec4 or ivec4, so std140 lays them out as C does.
-// src/model/layout.h includes this file, and it comes first in every shader.
+// The structures of the uniform block, which C and GLSL share. All members are vec4 or ivec4, so std140 lays them out as C
+// does. src/model/layout.h includes this file, and it comes first in every shader.
 //
-// Ray space: the shader's unit of length is the interval. Its origin (the anchor) is the point of the viewing axis at view depth
-// interval_start, and its axes are the view's. A ray is L(s) = S + s V with S.z = 0 and V.z = -1, and s runs from 0 to 1.
+// Ray space: the shader's unit of length is the interval. Its origin (the anchor) is the point of the viewing axis at view
+// depth interval_start, and its axes are the view's. A ray is L(s) = S + s V with S.z = 0 and V.z = -1, and s runs from 0 to 1.
 
 struct ew_frame_block {
     vec4 pixel_center; // xy: where NDC (0, 0) lies in gl_FragCoord; zw: unused
     vec4 ray_center;   // xy: S.xy, zw: V.xy of the ray there
     vec4 ray_right;    // growth of both from one pixel to the next on the right
     vec4 ray_up;       // growth of both from one pixel to the next above
-    vec4 depth_start;  // window depth of S: x + y at pixel_center (a float and its rounding error), zw: growth a pixel right, up
+    vec4 depth_start;  // window depth of S: x + y at pixel_center (a float and its rounding error), zw: growth to the right, up
     vec4 depth_end;    // window depth of E, in the same form
     vec4 depth_scale;  // x, y: clip w of S and of E, both negated for reversed-Z; zw: unused
     vec4 decay;        // x: beta, y: epsilon, z: tolerance of a panel (see ew_tolerance); w: unused

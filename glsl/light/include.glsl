@@ -1,8 +1,8 @@
 // What shaders of the host's call.
 //
-// Rays start at `origin`, relative to the eye, along the axes of the world, and reach origin + x direction at their parameter x.
-// S is at x = interval.x and E at x = interval.y > interval.x; the opaque scene is at x = opaque. With a direction of unit view
-// depth, x is the view depth, as it is in ew_frame_desc; with a unit direction, it is the distance.
+// Rays start at `origin`, relative to the eye, along the axes of the world, and reach origin + x direction at their parameter
+// x. S is at x = interval.x and E at x = interval.y > interval.x; the opaque scene is at x = opaque. With a direction of unit
+// view depth, x is the view depth, as it is in ew_frame_desc; with a unit direction, it is the distance.
 
 // Brings a point (w = 1) or a vector (w = 0) from the host's space to ray space.
 vec3 ew_to_ray_space(vec3 v, float w)

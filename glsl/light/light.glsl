@@ -10,16 +10,18 @@ void ew_add(float integral, vec4 color, inout vec4 sum)
     sum += vec4(luminance * color.rgb, luminance);
 }
 
-// What the other sources that came before add to an integral, in its unit: over the coefficient, which may be 0. It is so bounded
-// that the quotient is finite.
+// What the other sources that came before add to an integral, in its unit: over the coefficient, which may be 0. It is so
+// bounded that the quotient is finite.
 float ew_others(vec4 sum, vec4 color)
 {
     return min(sum.a, 1e6) / max(color.w, 1e-30);
 }
 
-// Adds all sources of a kind: `source` is its block, `read` what reads one. The loop tests at its end: llvmpipe runs the body of a
-// loop that tests first once more, with every lane masked off.
-#define EW_ADD_KIND(block, read, count) if (count > 0) { int i = 0; do { block source = read(i); ew_add(ew_integrate(segment, source, ew_others(sum, source.color)), source.color, sum); } while (++i < count); }
+// Adds all sources of a kind: `source` is its block, `read` what reads one. The loop tests at its end: llvmpipe runs the body
+// of a loop that tests first once more, with every lane masked off.
+#define EW_ADD_SOURCE(source) ew_add(ew_integrate(segment, source, ew_others(sum, source.color)), source.color, sum)
+#define EW_ADD_READ(block, read) block source = read(i); EW_ADD_SOURCE(source)
+#define EW_ADD_KIND(block, read, count) if (count > 0) { int i = 0; do { EW_ADD_READ(block, read); } while (++i < count); }
 
 // The light of all sources along a segment: sum B_i color_i, and sum B_i as the fourth component. C defines EW_ADD_KINDS: one
 // EW_ADD_KIND for each kind that the shader knows.

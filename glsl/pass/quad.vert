@@ -1,5 +1,5 @@
-// The camera-facing quad that covers the viewport, as a strip of four vertices without any vertex data; and the varyings that are
-// the same for all fragments.
+// The camera-facing quad that covers the viewport, as a strip of four vertices without any vertex data; and the varyings that
+// are the same for all fragments.
 void main()
 {
     vec2 corner = vec2(gl_VertexID & 1, gl_VertexID >> 1);

@@ -15,8 +15,8 @@ float ew_cube_root(float x)
     return sign(x) * pow(abs(x), 1.0 / 3.0);
 }
 
-// The real roots of x^3 + a x^2 + b x + c = 0, appendix A with its misprints mended: theta = atan2(sqrt(-r), -q), u and v paired
-// so that u v = -p, and each root shifted by -a/3. Where there is one real root, it is returned three times.
+// The real roots of x^3 + a x^2 + b x + c = 0, appendix A with its misprints mended: theta = atan2(sqrt(-r), -q), u and v
+// paired so that u v = -p, and each root shifted by -a/3. Where there is one real root, it is returned three times.
 vec3 ew_cubic_roots(float a, float b, float c)
 {
     float p = b / 3.0 - a * a / 9.0;

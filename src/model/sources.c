@@ -158,7 +158,7 @@ static void copy_sources(const ew_sources_desc *desc, ew_sources *sources)
         if (sources->counts[k] > 0) memcpy(sources->lists[k], list_in(desc, kind), sources->counts[k] * kind->size);
         for (size_t i = 0; kind->weights && i < sources->counts[k]; ++i) {
             ew_weight_list list = weights_of(kind, list_in(desc, kind) + i * kind->size);
-            *range = (ew_weight_range){first_piece, ew_weight_piece_count(list.count), ew_mean_weight(list)};
+            *range = (ew_weight_range){first_piece, ew_weight_piece_count(list.count), ew_mean_of_weights(list)};
             if (list.count > 0) ew_make_weight_pieces(list, pieces + first_piece);
             first_piece += range->piece_count;
             ++range;

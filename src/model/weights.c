@@ -46,7 +46,7 @@ void ew_make_weight_pieces(ew_weight_list weights, struct ew_weight_block *piece
     }
 }
 
-double ew_mean_weight(ew_weight_list weights)
+double ew_mean_of_weights(ew_weight_list weights)
 {
     if (weights.count == 0) return 1;
     double sum = 0;

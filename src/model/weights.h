@@ -13,6 +13,6 @@ size_t ew_weight_piece_count(size_t weight_count);
 void ew_make_weight_pieces(ew_weight_list weights, struct ew_weight_block *pieces);
 
 /* The mean of the weights; 1 for none. */
-double ew_mean_weight(ew_weight_list weights);
+double ew_mean_of_weights(ew_weight_list weights);
 
 #endif

@@ -3,22 +3,21 @@
  *
  *     evaluations_test SHARE SCENE.json...
  *
- * Averaged over a picture, a scene may cost one evaluation for each of its points and lines, which have closed forms, and for
- * each torus and curve SHARE of the 201 that the published method takes (Simpson's rule with 200 divisions). And a better
- * quality never costs less.
+ * Averaged over a picture, a scene may cost one evaluation for each source that has a closed form, and for each other one SHARE
+ * of the 201 that the published method takes (Simpson's rule with 200 divisions). And a better quality never costs less.
  *
  * Exit status: 0; 1 for a scene that costs more; 2 for bad input; 77 if there is no context.
  */
-#include "context.h"
+#include "effect_context.h"
 #include "field_drawer.h"
 #include "scene_file.h"
 #include "scene_rays.h"
+#include "source_kinds.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { EXIT_WRONG = 1, EXIT_BAD_INPUT = 2, EXIT_NO_CONTEXT = 77 };
 enum { SIDE = 64, PIXEL_COUNT = SIDE * SIDE, SIMPSON = 201 };
 
 typedef struct quality_counts {
@@ -29,8 +28,7 @@ static bool count_evaluations(field_drawer *drawer, const demo_scene *scene, con
                               ew_error *error)
 {
     static float depth[PIXEL_COUNT], evaluations[PIXEL_COUNT];
-    for (int i = 0; i < PIXEL_COUNT; i++)
-        depth[i] = scene_rays_depth_to_store(rays, scene_rays_cast(rays, i % SIDE + 0.5, i / SIDE + 0.5));
+    scene_rays_cast_all(rays, depth);
     for (int quality = EW_QUALITY_ERROR_1E_2; quality <= EW_QUALITY_ERROR_1E_4; quality++) {
         render_settings settings = {
             .width = SIDE, .height = SIDE, .integrator = EW_INTEGRATOR_ADAPTIVE, .quality = (ew_quality)quality};
@@ -49,8 +47,9 @@ static bool report(const char *path, const ew_sources_desc *sources, double shar
 {
     const char *slash = strrchr(path, '/');
     const double *mean = counts->mean;
-    double closed = (double)(sources->point_count + sources->line_count);
-    double other = (double)(sources->torus_count + sources->curve_count), most = closed + share * SIMPSON * other;
+    double most = 0;
+    for (int k = 0; k < SOURCE_KIND_COUNT; k++)
+        most += (double)source_count(source_kinds[k], sources) * (source_kinds[k]->has_closed_form ? 1 : share * SIMPSON);
     bool ok = mean[EW_QUALITY_ERROR_1E_3] <= most && mean[EW_QUALITY_ERROR_1E_2] <= mean[EW_QUALITY_ERROR_1E_3] &&
               mean[EW_QUALITY_ERROR_1E_3] <= mean[EW_QUALITY_ERROR_1E_4];
     printf("%-44s %7.1f evaluations a pixel, %7.1f allowed (1e-2: %.1f, 1e-4: %.1f)%s\n", slash ? slash + 1 : path,
@@ -85,32 +84,24 @@ static bool check_scene(field_drawer *drawer, const char *path, double share, bo
 int main(int argc, char **argv)
 {
     char message[400];
-    ew_effect *effect;
-    ew_error error;
+    effect_context drawing;
     field_drawer drawer;
     double share = argc > 1 ? strtod(argv[1], NULL) : 0;
     bool wrong = false;
-    setenv("EGL_LOG_LEVEL", "fatal", 0);
     if (argc < 3 || !(share > 0)) {
         fprintf(stderr, "evaluations_test: give a share and scenes\n");
         return EXIT_BAD_INPUT;
     }
-    gl_context *context = context_create(CONTEXT_EGL, message, sizeof message);
-    if (!context) {
-        printf("SKIPPED: %s\n", message);
-        return EXIT_NO_CONTEXT;
-    }
-    ew_effect_desc desc = {.get_proc_address = context_get_proc_address, .user = context};
-    bool ok = !ew_create_effect(&desc, &effect, &error);
-    if (!ok) fprintf(stderr, "evaluations_test: %s\n", error.text);
+    int status = effect_context_create("evaluations_test", &drawing);
+    if (status != EXIT_SUCCESS) return status;
+    bool ok = field_drawer_create(drawing.context, drawing.effect, SIDE, SIDE, &drawer, message, sizeof message);
     if (ok) {
-        ok = field_drawer_create(context, effect, SIDE, SIDE, &drawer, message, sizeof message);
-        if (!ok) fprintf(stderr, "evaluations_test: %s\n", message);
         for (int i = 2; ok && i < argc; i++)
             ok = check_scene(&drawer, argv[i], share, &wrong);
-        if (ok) field_drawer_destroy(&drawer);
-        ew_destroy_effect(effect);
+        field_drawer_destroy(&drawer);
+    } else {
+        fprintf(stderr, "evaluations_test: %s\n", message);
     }
-    context_destroy(context);
+    effect_context_destroy(&drawing);
     return !ok ? EXIT_BAD_INPUT : wrong ? EXIT_WRONG : EXIT_SUCCESS;
 }

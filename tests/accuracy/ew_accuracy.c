@@ -1,12 +1,15 @@
 /*
  * ew-accuracy: the library's luminance of scene files against the double-precision reference.
  */
+#include "accuracy_result.h"
 #include "command_line.h"
 #include "comparison.h"
 #include "context.h"
+#include "heatmap.h"
 #include "named_integrator.h"
 #include "picture.h"
 #include "scene_rays.h"
+#include "source_kinds.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -122,68 +125,28 @@ static bool read_options(int argc, char **argv, command_line *options, char *mes
 /* ---- Scenes ---------------------------------------------------------------------------------------------------------------
  */
 
-static size_t source_count(const demo_scene *scene)
-{
-    const ew_sources_desc *sources = &scene->sources;
-    return sources->point_count + sources->line_count + sources->torus_count + sources->curve_count;
-}
-
 /* As many as take the reference about a second. */
 static size_t default_pixels(const demo_scene *scene)
 {
-    size_t sources = source_count(scene), pixels = 40000 / (sources + 1);
+    size_t sources = source_count_of_all_kinds(&scene->sources), pixels = 40000 / (sources + 1);
     return pixels > 4000 ? 4000 : pixels < 400 ? 400 : pixels;
 }
 
-static bool write_csv(const command_line *options, const char *scene, const named_integrator *integrator, const char *renderer,
-                      const true_pixels *truth, const picture_comparison *comparison)
-{
-    FILE *file = fopen(options->csv, "a");
-    if (!file) return false;
-    if (ftell(file) == 0)
-        fprintf(file, "scene,integrator,size,pixels,max_rel_error,p99_rel_error,worst_x,worst_y,worst_luminance,"
-                      "worst_truth,bad_pixels,unreliable_pixels,renderer\n");
-    fprintf(file, "%s,%s,%dx%d,%zu,%.3g,%.3g,%d,%d,%.9g,%.9g,%zu,%zu,\"%s\"\n", scene, integrator->name, options->width,
-            options->height, truth->count, comparison->largest_error, comparison->percentile_99, comparison->worst_x,
-            comparison->worst_y, comparison->worst_luminance, comparison->worst_truth, comparison->bad_count,
-            truth->unreliable_count, renderer);
-    return fclose(file) == 0;
-}
-
-/* How far beyond its bounds a comparison is, as a factor; without bounds, its error. */
-static double excess(const named_integrator *integrator, const picture_comparison *comparison)
-{
-    if (comparison->bad_count) return HUGE_VAL;
-    if (isinf(integrator->largest_error)) return comparison->largest_error;
-    return fmax(comparison->largest_error / integrator->largest_error, comparison->percentile_99 / integrator->percentile_99);
-}
-
-static bool report(const command_line *options, const char *path, const named_integrator *integrator, const char *renderer,
-                   const true_pixels *truth, const drawn_picture *picture, accuracy_results *results, char *message,
+static bool report(const command_line *options, const accuracy_result *result, accuracy_results *results, char *message,
                    size_t size)
 {
-    picture_comparison comparison;
-    if (!comparison_make(truth, picture, &comparison)) {
-        snprintf(message, size, "%s: memory is exhausted", path);
-        return false;
-    }
-    const char *name = strrchr(path, '/') ? strrchr(path, '/') + 1 : path;
+    double excess = accuracy_excess(result);
+    bool is_bounded = result->comparison.bad_count || isfinite(result->integrator->largest_error);
+    bool wrong = options->check && excess > 1 && is_bounded;
     result_line *line = &results->lines[results->line_count++];
-    line->excess = excess(integrator, &comparison);
-    bool wrong = options->check && line->excess > 1 && (comparison.bad_count || isfinite(integrator->largest_error));
-    char bad[80] = "";
-    if (comparison.bad_count)
-        snprintf(bad, sizeof bad, "; %zu pixels are negative, infinite or no number", comparison.bad_count);
-    snprintf(line->text, sizeof line->text, "%-44s %-13s max %.1e at (%3d, %3d): %.6g for %.6g; 99 %%: %.1e%s%s", name,
-             integrator->name, comparison.largest_error, comparison.worst_x, comparison.worst_y, comparison.worst_luminance,
-             comparison.worst_truth, comparison.percentile_99, bad, wrong ? "  WRONG" : "");
+    line->excess = excess;
+    accuracy_describe(result, line->text, sizeof line->text);
+    if (wrong) strncat(line->text, "  WRONG", sizeof line->text - strlen(line->text) - 1);
     if (!options->sorted) puts(line->text);
     results->wrong = results->wrong || wrong;
-    if (options->csv && !write_csv(options, name, integrator, renderer, truth, &comparison)) {
-        snprintf(message, size, "%s: cannot be written", options->csv);
-        return false;
-    }
-    return !options->heatmap || heatmap_write(options->heatmap, truth, picture, message, size);
+    if (!options->csv || accuracy_append_csv(result, options->csv)) return true;
+    snprintf(message, size, "%s: cannot be written", options->csv);
+    return false;
 }
 
 static int compare_lines(const void *a, const void *b)
@@ -223,6 +186,30 @@ static bool draw_pictures(const command_line *options, gl_context *context, comp
     return true;
 }
 
+/* Compares the picture by one of the integrators. */
+static bool compare_picture(const command_line *options, const char *renderer, const compared_scene *compared, size_t index,
+                            true_pixels *truth, accuracy_results *results, char *message, size_t size)
+{
+    /* Where two integrators disagree, one of them is wrong. */
+    const drawn_picture *picture = &compared->pictures[index];
+    const drawn_picture *other = &compared->pictures[(index + 1) % compared->picture_count];
+    int threads = (int)sysconf(_SC_NPROCESSORS_ONLN);
+    accuracy_result result = {
+        .path = compared->path,
+        .renderer = renderer,
+        .integrator = &options->integrators[index],
+        .picture = picture,
+        .truth = truth,
+    };
+    if (!true_pixels_refine(&compared->rays, picture, other, threads, truth) ||
+        !comparison_make(truth, picture, &result.comparison)) {
+        snprintf(message, size, "%s: memory is exhausted", compared->path);
+        return false;
+    }
+    return report(options, &result, results, message, size) &&
+           (!options->heatmap || heatmap_write(options->heatmap, truth, picture, message, size));
+}
+
 static bool compare_pictures(const command_line *options, const char *renderer, const compared_scene *compared,
                              accuracy_results *results, char *message, size_t size)
 {
@@ -237,14 +224,8 @@ static bool compare_pictures(const command_line *options, const char *renderer, 
     size_t misses = compared->scene.opaque_count ? depth_misses(&compared->rays, &truth, &pictures[0]) : 0;
     if (misses) printf("%s: the depth of %zu pixels is not the scene's\n", compared->path, misses);
     bool ok = true;
-    for (size_t i = 0; ok && i < options->integrator_count; i++) {
-        /* Where two integrators disagree, one of them is wrong. */
-        const drawn_picture *other = &pictures[(i + 1) % compared->picture_count];
-        ok = true_pixels_refine(&compared->rays, &pictures[i], other, threads, &truth);
-        if (!ok) snprintf(message, size, "%s: memory is exhausted", compared->path);
-        ok = ok &&
-             report(options, compared->path, &options->integrators[i], renderer, &truth, &pictures[i], results, message, size);
-    }
+    for (size_t i = 0; ok && i < options->integrator_count; i++)
+        ok = compare_picture(options, renderer, compared, i, &truth, results, message, size);
     if (truth.unreliable_count)
         printf("%s: the reference does not vouch for %zu of %zu pixels\n", compared->path, truth.unreliable_count, truth.count);
     if (options->check && (misses || truth.unreliable_count * 100 > truth.count)) results->wrong = true;

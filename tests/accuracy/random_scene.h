@@ -5,25 +5,22 @@
 #ifndef RANDOM_SCENE_H
 #define RANDOM_SCENE_H
 
+#include "source_kinds.h"
+
 #include <stdint.h>
 
-/* What a scene consists of. */
-typedef enum random_scene_kind {
-    RANDOM_POINT,
-    RANDOM_LINE,
-    RANDOM_TORUS,
-    RANDOM_CURVE,
-    RANDOM_WEIGHTED_CURVE,
-    RANDOM_TWO_CURVES,
-    RANDOM_MIX,  /* one of each */
-    RANDOM_MANY, /* five of each */
-    RANDOM_SCENE_KIND_COUNT,
-} random_scene_kind;
+/* What a scene consists of: a number below SOURCE_KIND_COUNT is a single source of that kind, the others are combinations. */
+enum {
+    RANDOM_SCENE_COMBINATION_COUNT = 4,
+    RANDOM_SCENE_KIND_COUNT = SOURCE_KIND_COUNT + RANDOM_SCENE_COMBINATION_COUNT,
+};
 
-extern const char *const random_scene_kind_names[RANDOM_SCENE_KIND_COUNT];
+const char *random_scene_kind_name(int scene_kind);
+/* -1 if there is no such kind. */
+int random_scene_kind_find(const char *name);
 
 /* The kind of the scene of a seed. */
-random_scene_kind random_scene_kind_of(uint64_t seed);
+int random_scene_kind_of(uint64_t seed);
 
 /* The scene of a seed, always the same, to be freed by the caller; NULL where memory is exhausted.
  *

@@ -1,22 +1,17 @@
 /* A scene's pixels as rays: see scene_rays.h. */
 #include "scene_rays.h"
+#include "source_kinds.h"
 #include "vector.h"
 
 #include <math.h>
-#include <stdlib.h>
-#include <string.h>
 
-/* A copy that may be written to; `count` may be 0. */
-static void *copy_list(const void *list, size_t count, size_t size)
+static void subtract_eye(const void *eye, double position[3])
 {
-    void *copy = malloc(count * size + 1);
-    if (copy && count > 0) memcpy(copy, list, count * size);
-    return copy;
+    vector_subtract(position, eye, position);
 }
 
 bool scene_rays_create(const demo_scene *scene, int width, int height, scene_rays *rays)
 {
-    const ew_sources_desc *sources = &scene->sources;
     *rays = (scene_rays){
         .camera = scene->camera,
         .interval_start = scene->interval_start,
@@ -33,27 +28,12 @@ bool scene_rays_create(const demo_scene *scene, int width, int height, scene_ray
     vector_normalize(rays->right, rays->right);
     vector_cross(rays->right, rays->forward, rays->up);
 
-    ew_point *points = copy_list(sources->points, sources->point_count, sizeof *points);
-    ew_line *lines = copy_list(sources->lines, sources->line_count, sizeof *lines);
-    ew_torus *tori = copy_list(sources->tori, sources->torus_count, sizeof *tori);
-    ew_curve *curves = copy_list(sources->curves, sources->curve_count, sizeof *curves);
-    rays->sources = *sources;
-    rays->sources.points = points;
-    rays->sources.lines = lines;
-    rays->sources.tori = tori;
-    rays->sources.curves = curves;
-    if (!points || !lines || !tori || !curves || !opaque_make_mesh(scene, &rays->mesh)) {
-        scene_rays_free(rays);
+    if (!copy_source_lists(&scene->sources, &rays->sources)) return false;
+    if (!opaque_make_mesh(scene, &rays->mesh)) {
+        free_source_lists(&rays->sources);
         return false;
     }
-    for (size_t i = 0; i < sources->point_count; i++)
-        vector_subtract(points[i].position, eye, points[i].position);
-    for (size_t i = 0; i < sources->line_count; i++)
-        vector_subtract(lines[i].position, eye, lines[i].position);
-    for (size_t i = 0; i < sources->torus_count; i++)
-        vector_subtract(tori[i].center, eye, tori[i].center);
-    for (size_t i = 0; i < sources->curve_count; i++)
-        vector_subtract(curves[i].polynomial[0], eye, curves[i].polynomial[0]);
+    change_sources(&rays->sources, subtract_eye, NULL, eye);
     for (size_t i = 0; i < rays->mesh.vertex_count; i++)
         vector_subtract(rays->mesh.vertices[i].position, eye, rays->mesh.vertices[i].position);
     return true;
@@ -61,11 +41,7 @@ bool scene_rays_create(const demo_scene *scene, int width, int height, scene_ray
 
 void scene_rays_free(scene_rays *rays)
 {
-    /* The library's lists are lists of constants; these are copies. */
-    free((ew_point *)rays->sources.points);
-    free((ew_line *)rays->sources.lines);
-    free((ew_torus *)rays->sources.tori);
-    free((ew_curve *)rays->sources.curves);
+    free_source_lists(&rays->sources);
     opaque_free_mesh(&rays->mesh);
 }
 
@@ -145,4 +121,11 @@ double scene_rays_cast(const scene_rays *rays, double x, double y)
             nearest = depth;
     }
     return nearest;
+}
+
+void scene_rays_cast_all(const scene_rays *rays, float *depth)
+{
+    for (int y = 0; y < rays->height; y++)
+        for (int x = 0; x < rays->width; x++)
+            *depth++ = scene_rays_depth_to_store(rays, scene_rays_cast(rays, x + 0.5, y + 0.5));
 }

@@ -42,4 +42,7 @@ float scene_rays_depth_to_store(const scene_rays *rays, double view_depth);
 /* The view depth of the nearest opaque triangle at (x, y) between the near and the far plane; HUGE_VAL where there is none. */
 double scene_rays_cast(const scene_rays *rays, double x, double y);
 
+/* Fills what the depth buffer holds at all pixels' centres, rows from the bottom up. */
+void scene_rays_cast_all(const scene_rays *rays, float *depth);
+
 #endif

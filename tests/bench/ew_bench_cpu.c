@@ -8,6 +8,7 @@
  */
 #include "context.h"
 #include "render.h"
+#include "sort.h"
 
 /* What the library keeps to itself. */
 #include "host/gl.h"
@@ -35,12 +36,6 @@ static double now_microseconds(void)
     struct timespec time;
     clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
     return (double)time.tv_sec * 1e6 + (double)time.tv_nsec * 1e-3;
-}
-
-static int compare(const void *a, const void *b)
-{
-    double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
 }
 
 static void note(cpu_bench *bench, ew_result result)
@@ -103,7 +98,7 @@ static void measure(cpu_bench *bench, const char *name, void (*call)(cpu_bench *
         if (i >= 0) times[i] = end - start;
         bench->gl->Finish();
     }
-    qsort(times, REPETITIONS, sizeof times[0], compare);
+    sort_numbers(times, REPETITIONS);
     printf("  %-28s %12.1f %12.1f\n", name, times[REPETITIONS / 2], times[0]);
 }
 
@@ -121,8 +116,17 @@ static void make_sources(ew_sources_desc *sources)
         tori[i] = (ew_torus){{x, 0, 0}, {x, 0, 1}, 0.5, 1, {1, 1, 1}};
         curves[i] = (ew_curve){{{x, 0, 0}, {1, 1, 0}, {0, 0, 1}}, {0, 1}, weights, 4, 1, {1, 1, 1}};
     }
-    *sources = (ew_sources_desc){points, SOURCES_OF_A_KIND, lines, SOURCES_OF_A_KIND, tori, SOURCES_OF_A_KIND,
-                                 curves, SOURCES_OF_A_KIND, 1e-2};
+    *sources = (ew_sources_desc){
+        .points = points,
+        .point_count = SOURCES_OF_A_KIND,
+        .lines = lines,
+        .line_count = SOURCES_OF_A_KIND,
+        .tori = tori,
+        .torus_count = SOURCES_OF_A_KIND,
+        .curves = curves,
+        .curve_count = SOURCES_OF_A_KIND,
+        .epsilon = 1e-2,
+    };
 }
 
 static int fail(const char *message)

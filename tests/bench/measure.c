@@ -4,6 +4,7 @@
 #include "message.h"
 #include "progress.h"
 #include "random_numbers.h"
+#include "sort.h"
 #include "stage.h"
 #include "stopwatch.h"
 
@@ -117,12 +118,6 @@ static bool measure_all_errors(bench_stage *stage, const demo_scene *scene, cons
 
 /* ---- Speed -------------------------------------------------------------------------------------------------------------- */
 
-static int compare_numbers(const void *a, const void *b)
-{
-    const double *first = a, *second = b;
-    return (*first > *second) - (*first < *second);
-}
-
 static double median(const double *sorted, int count)
 {
     return 0.5 * (sorted[(count - 1) / 2] + sorted[count / 2]);
@@ -176,7 +171,7 @@ static bool measure_times(gl_context *context, bench_stage *stage, const char *n
     stopwatch_destroy(&stopwatch);
     for (size_t i = 0; ok && i < settings->integrator_count; i++) {
         double *own = &times[i * (size_t)settings->repetitions];
-        qsort(own, (size_t)results[i].repetitions, sizeof *own, compare_numbers);
+        sort_numbers(own, (size_t)results[i].repetitions);
         results[i].ms_min = own[0];
         results[i].ms_median = median(own, results[i].repetitions);
     }

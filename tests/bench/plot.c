@@ -1,6 +1,7 @@
 /* Time against error as a picture: see plot.h. */
 #include "plot.h"
 #include "message.h"
+#include "output_file.h"
 
 #include <errno.h>
 #include <math.h>
@@ -116,16 +117,8 @@ bool plot_draw(const bench_results *results, const bench_scene *scene, const cha
     snprintf(script, sizeof script, "%s.gnuplot", scene->name);
     snprintf(path, sizeof path, "%s/%s", folder, script);
     FILE *file = fopen(path, "w");
-    bool written = file != NULL;
-    if (file) {
-        write_script(file, results, scene);
-        written = !ferror(file);
-        written = fclose(file) == 0 && written;
-    }
-    if (!written) {
-        message_write(message, size, "%s: cannot be written (%s)", path, strerror(errno));
-        return false;
-    }
+    if (file) write_script(file, results, scene);
+    if (!output_file_close(file, path, message, size)) return false;
     if (run_gnuplot(folder, script)) {
         remove(path);
         return true;

@@ -2,6 +2,7 @@
 #include "report.h"
 #include "comparison.h"
 #include "message.h"
+#include "output_file.h"
 #include "plot.h"
 
 #include <errno.h>
@@ -52,7 +53,7 @@ static void write_introduction(FILE *file, const bench_results *results)
         "whichever is greater. The largest error is over about %zu pixels: some spread evenly over the picture, the others "
         "where it is brightest, where it is darkest, at silhouettes of opaque shapes, and at and around the places where two "
         "settings of this library differ most. The 99th percentile is over the evenly spread pixels.\n\n",
-        COMPARISON_DARK, settings->error_samples);
+        TRUTH_DARK, settings->error_samples);
     fputs(
         "What is compared:\n\n"
         "- `adaptive:E`: this library, with the quality E.\n"
@@ -204,16 +205,8 @@ bool report_write(const bench_results *results, const char *folder, const char *
     snprintf(plots, sizeof plots, "%s/%s", folder, base);
     if (!make_folder(folder, message, size) || !make_folder(plots, message, size)) return false;
     FILE *file = fopen(page, "w");
-    bool written = file != NULL;
-    if (file) {
-        write_page(file, results, base);
-        written = !ferror(file);
-        written = fclose(file) == 0 && written;
-    }
-    if (!written) {
-        message_write(message, size, "%s: cannot be written (%s)", page, strerror(errno));
-        return false;
-    }
+    if (file) write_page(file, results, base);
+    if (!output_file_close(file, page, message, size)) return false;
     bool drawn = true;
     for (size_t i = 0; i < results->scene_count; i++)
         drawn = plot_draw(results, &results->scenes[i], plots, message, size) && drawn;

@@ -9,6 +9,7 @@
 #include "context.h"
 #include "random_desc.h"
 #include "random_numbers.h"
+#include "spoil_desc.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -18,24 +19,22 @@
 enum { WIDTH = 12, HEIGHT = 10, VALUES = 4 * WIDTH * HEIGHT, DEFAULT_COUNT = 10000, SKIPPED = 77 };
 
 static const shader_mix mixes[] = {
-    {.points = 1},
-    {.lines = 1, .depth = DEPTH_FRAMEBUFFER},
-    {.tori = 1, .output = EW_OUTPUT_LUMINANCE},
-    {.curves = 1, .output = EW_OUTPUT_LUMINANCE},
-    {.curves = 1, .weighted = true, .output = EW_OUTPUT_LUMINANCE, .depth = DEPTH_TEXTURE},
-    {.points = 3, .lines = 2, .output = EW_OUTPUT_LUMINANCE, .depth = DEPTH_MULTISAMPLE},
-    {.points = 7, .lines = 6, .tori = 5, .curves = 5, .weighted = true, .output = EW_OUTPUT_ADD, .depth = DEPTH_TEXTURE},
-    {.points = 5, .lines = 5, .tori = 5, .curves = 5, .output = EW_OUTPUT_EVALUATIONS, .encoding = EW_ENCODING_FLOAT},
-    {.points = 5,
-     .lines = 5,
-     .tori = 5,
-     .curves = 5,
+    {.counts = {[KIND_POINT] = 1}},
+    {.counts = {[KIND_LINE] = 1}, .depth = DEPTH_FRAMEBUFFER},
+    {.counts = {[KIND_TORUS] = 1}, .output = EW_OUTPUT_LUMINANCE},
+    {.counts = {[KIND_CURVE] = 1}, .output = EW_OUTPUT_LUMINANCE},
+    {.counts = {[KIND_CURVE] = 1}, .weighted = true, .output = EW_OUTPUT_LUMINANCE, .depth = DEPTH_TEXTURE},
+    {.counts = {[KIND_POINT] = 3, [KIND_LINE] = 2}, .output = EW_OUTPUT_LUMINANCE, .depth = DEPTH_MULTISAMPLE},
+    {.count_of_each = 5,
+     .counts = {[KIND_POINT] = 2, [KIND_LINE] = 1},
      .weighted = true,
-     .integrator = EW_INTEGRATOR_SIMPSON,
+     .output = EW_OUTPUT_ADD,
      .depth = DEPTH_TEXTURE},
+    {.count_of_each = 5, .output = EW_OUTPUT_EVALUATIONS, .encoding = EW_ENCODING_FLOAT},
+    {.count_of_each = 5, .weighted = true, .integrator = EW_INTEGRATOR_SIMPSON, .depth = DEPTH_TEXTURE},
     {.depth = DEPTH_TEXTURE},
-    {.lines = 1, .dither = true},
-    {.points = 1, .dither = true, .encoding = EW_ENCODING_SRGB_8BIT},
+    {.counts = {[KIND_LINE] = 1}, .dither = true},
+    {.counts = {[KIND_POINT] = 1}, .dither = true, .encoding = EW_ENCODING_SRGB_8BIT},
 };
 enum { MIX_COUNT = sizeof mixes / sizeof mixes[0] };
 
@@ -143,14 +142,14 @@ static void read_target(const fuzzer *f, float values[VALUES])
 
 /* Every integral is cut to what is finite and not negative; in GLSL that leaves open what becomes of one that is not a number.
  * Here it becomes a negative pixel, to be seen. */
-static const char cut[] = "clamp(luminance, 0.0, EW_MAX_LUMINANCE)";
-static const char telling_cut[] = "(isnan(luminance) ? -1e38 : clamp(luminance, 0.0, EW_MAX_LUMINANCE))";
+static const char cut[] = "clamp(color.w * integral, 0.0, EW_MAX_LUMINANCE)";
+static const char telling_cut[] = "(isnan(color.w * integral) ? -1e38 : clamp(color.w * integral, 0.0, EW_MAX_LUMINANCE))";
 static PFNGLSHADERSOURCEPROC shader_source;
 static bool was_cut;
 
 static void APIENTRY telling_shader_source(GLuint shader, GLsizei count, const GLchar *const *strings, const GLint *lengths)
 {
-    enum { MAX_STRINGS = 64, MAX_LENGTH = 1 << 16 };
+    enum { MAX_STRINGS = 128, MAX_LENGTH = 1 << 16 };
     static char text[MAX_LENGTH];
     const char *changed[MAX_STRINGS], *found;
     for (GLsizei i = 0; i < count && i < MAX_STRINGS; i++) {
@@ -235,10 +234,11 @@ static void try_sources(fuzzer *f, const random_desc *desc, const ew_sources_des
 static void try_other_calls(fuzzer *f, const shader_mix *sources, const ew_frame_desc *frame)
 {
     const size_t any = random_index(&f->random, 2) ? SIZE_MAX : EW_ANY_COUNT;
-    const ew_mix mix = {sources->points < EW_ANY_COUNT ? sources->points : any,
-                        sources->lines < EW_ANY_COUNT ? sources->lines : any,
-                        sources->tori < EW_ANY_COUNT ? sources->tori : any,
-                        sources->curves < EW_ANY_COUNT ? sources->curves : any, sources->weighted};
+    ew_mix mix = {.has_weights = sources->weighted};
+    for (int kind = 0; kind < SOURCE_KIND_COUNT; kind++) {
+        size_t count = shader_mix_count(sources, kind);
+        set_mix_count(source_kinds[kind], &mix, count < EW_ANY_COUNT ? count : any);
+    }
     ew_error error, untouched;
     memset(&error, 0x55, sizeof error);
     untouched = error;
@@ -280,9 +280,9 @@ static void run_case(fuzzer *f)
     f->random = f->number;
     const shader_mix *mix = &mixes[random_index(&f->random, MIX_COUNT)];
     bool extreme = random_index(&f->random, 2) == 0;
-    random_desc desc;
+    random_desc desc = {.sources = {0}};
     fill_target(f);
-    random_desc_make(&desc, mix, extreme, WIDTH, HEIGHT, &f->random);
+    require(f, random_desc_make(&desc, mix, extreme, WIDTH, HEIGHT, &f->random), "memory is exhausted");
     choose_target(f, mix->depth, &desc.frame);
 
     bool drawable = set_sources(f, &desc.sources) == EW_OK && draw(f, &desc.frame) == EW_OK;
@@ -319,6 +319,7 @@ static void run_case(fuzzer *f)
     }
     draw(f, &desc.frame);
     try_other_calls(f, mix, &desc.frame);
+    random_desc_free(&desc);
 }
 
 int main(int argc, char **argv)

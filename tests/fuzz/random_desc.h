@@ -1,11 +1,11 @@
 /*
- * Random descriptors for the library: valid ones, ordinary and extreme, and hostile changes to them. The same number gives the
- * same descriptors.
+ * Random descriptors for the library, ordinary and extreme. The same number gives the same descriptors.
  */
 #ifndef RANDOM_DESC_H
 #define RANDOM_DESC_H
 
 #include "energywave.h"
+#include "source_kinds.h"
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -14,7 +14,8 @@ typedef enum target_depth { NO_DEPTH, DEPTH_TEXTURE, DEPTH_MULTISAMPLE, DEPTH_FR
 
 /* What decides about the shader, which takes long to compile: so there are few of them. */
 typedef struct shader_mix {
-    size_t points, lines, tori, curves;
+    size_t count_of_each;             /* how many sources there are of each kind, */
+    size_t counts[SOURCE_KIND_COUNT]; /* and how many more of some */
     bool weighted;
     ew_integrator integrator;
     ew_output output;
@@ -23,36 +24,24 @@ typedef struct shader_mix {
     ew_encoding encoding;
 } shader_mix;
 
-enum { MAX_KIND = 8, MAX_WEIGHTS = 6 };
+size_t shader_mix_count(const shader_mix *mix, int kind);
+
+/* The most sources of a kind. */
+enum { MAX_KIND = 8 };
 
 /* A frame and sources, with their arrays; not to be copied, since they point into themselves. */
 typedef struct random_desc {
     ew_frame_desc frame;
     ew_sources_desc sources;
-    ew_point points[MAX_KIND];
-    ew_line lines[MAX_KIND];
-    ew_torus tori[MAX_KIND];
-    ew_curve curves[MAX_KIND];
-    double weights[MAX_KIND][MAX_WEIGHTS];
+    void *lists[SOURCE_KIND_COUNT]; /* room for MAX_KIND sources of each kind; `sources` points there */
+    double weights[SOURCE_KIND_COUNT][MAX_KIND][MAX_RANDOM_WEIGHTS];
 } random_desc;
 
 /* The ordinary are what a host would ask for, at a scale of 1. The extreme go to the ends of the ranges that energywave.h
- * promises, and degenerate: sources at the eye, at the interval's ends, coincident control points, rings of radius 0. The
- * library may refuse them, where a combination goes too far. Neither names a target or a depth. */
-void random_desc_make(random_desc *desc, const shader_mix *mix, bool extreme, int width, int height, uint64_t *random);
-
-/* One number, the one of them that `random` picks, becomes a hostile one: not a number, infinite, denormal, huge ... */
-void spoil_source_number(random_desc *desc, uint64_t *random);
-void spoil_frame_number(random_desc *desc, uint64_t *random);
-
-/* All of them become random ones of any size, some hostile. */
-void spoil_all_source_numbers(random_desc *desc, uint64_t *random);
-void spoil_all_frame_numbers(random_desc *desc, uint64_t *random);
-
-/* A list without its array, an array without its list, or more than fits: always to be refused. */
-void spoil_lists(random_desc *desc, uint64_t *random);
-
-/* An enumeration, the divisions or the viewport out of range. */
-void spoil_frame_integer(random_desc *desc, uint64_t *random);
+ * promises, and degenerate: sources at the eye, at the interval's ends, coincident control points, tori of radius 0. The
+ * library may refuse them, where a combination goes too far. Neither names a target or a depth. Returns false where memory is
+ * exhausted; `desc` is to be freed in any case. */
+bool random_desc_make(random_desc *desc, const shader_mix *mix, bool extreme, int width, int height, uint64_t *random);
+void random_desc_free(random_desc *desc);
 
 #endif

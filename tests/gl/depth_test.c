@@ -148,6 +148,50 @@ static void make_oblique(double p[16], const double plane[4])
         p[4 * i + 2] = 2 * plane[i] / along - p[4 * i + 3];
 }
 
+/* A lens with a row of the projection matrix that maps its depths. */
+typedef struct depth_projection {
+    const char *name;
+    const glow_lens *lens;
+    double z_scale, z_offset, far_value;
+    ew_clip_depth clip_depth;
+    bool oblique;
+} depth_projection;
+
+static ew_frame_desc frame_of(const depth_projection *projection)
+{
+    ew_frame_desc frame = glow_frame(0);
+    glow_projection(projection->lens, projection->z_scale, projection->z_offset, frame.projection);
+    frame.clip_depth = projection->clip_depth;
+    if (projection->oblique) make_oblique(frame.projection, (const double[4]){0.1, -0.2, -1, -1.5});
+    return frame;
+}
+
+/* The reference's luminance through a lens. Returns the brightest. */
+static double compute_truth(const glow_lens *lens, const ew_frame_desc *frame, double truth[HEIGHT][WIDTH])
+{
+    double brightest = 0;
+    for (int row = 0; row < HEIGHT; row++)
+        for (int column = 0; column < WIDTH; column++) {
+            truth[row][column] = glow_reference(lens, frame, column, row, scene_depth(lens, column, row));
+            brightest = fmax(brightest, truth[row][column]);
+        }
+    return brightest;
+}
+
+static void draw_with_depths(const depth_projection *projection, ew_frame_desc *frame, picture found)
+{
+    static depths values;
+    for (int row = 0; row < HEIGHT; row++)
+        for (int column = 0; column < WIDTH; column++) {
+            double depth = scene_depth(projection->lens, column, row);
+            values[row][column] =
+                (GLfloat)(isfinite(depth) ? window_depth(frame, projection->lens, column, row, depth) : projection->far_value);
+        }
+    frame->depth_texture = make_depth_texture(GL_DEPTH_COMPONENT32F, values);
+    measure(frame, found);
+    gl.DeleteTextures(1, &frame->depth_texture);
+}
+
 static void every_projection_has_the_luminance_of_the_reference(void **unused)
 {
     (void)unused;
@@ -157,13 +201,7 @@ static void every_projection_has_the_luminance_of_the_reference(void **unused)
     static const glow_lens jittered = {
         .left = -0.4 + 0.3 / 60, .right = 0.4 + 0.3 / 60, .bottom = -0.3 - 0.4 / 60, .top = 0.3 - 0.4 / 60};
     static const glow_lens parallel = {.parallel = true, .left = -2.4, .right = 2.4, .bottom = -1.8, .top = 1.8};
-    const struct {
-        const char *name;
-        const glow_lens *lens;
-        double z_scale, z_offset, far_value;
-        ew_clip_depth clip_depth;
-        bool oblique;
-    } projections[] = {
+    const depth_projection projections[] = {
         {"perspective", &glow_default_lens, -(f + n) / (f - n), -2 * f * n / (f - n), 1, EW_CLIP_DEPTH_NEGATIVE_ONE_TO_ONE, 0},
         {"[0, 1] clip depth", &glow_default_lens, -f / (f - n), -f * n / (f - n), 1, EW_CLIP_DEPTH_ZERO_TO_ONE, 0},
         {"reversed", &glow_default_lens, n / (f - n), f * n / (f - n), 0, EW_CLIP_DEPTH_ZERO_TO_ONE, 0},
@@ -179,32 +217,14 @@ static void every_projection_has_the_luminance_of_the_reference(void **unused)
         {"orthographic, reversed", &parallel, 1 / (f - n), f / (f - n), 0, EW_CLIP_DEPTH_ZERO_TO_ONE, 0},
     };
     static double truth[HEIGHT][WIDTH];
+    static picture found;
     const glow_lens *truth_of = NULL;
     double brightest = 0;
     for (size_t i = 0; i < sizeof projections / sizeof projections[0]; i++) {
-        const glow_lens *lens = projections[i].lens;
-        ew_frame_desc frame = glow_frame(0);
-        glow_projection(lens, projections[i].z_scale, projections[i].z_offset, frame.projection);
-        frame.clip_depth = projections[i].clip_depth;
-        if (projections[i].oblique) make_oblique(frame.projection, (const double[4]){0.1, -0.2, -1, -1.5});
-
-        static depths values;
-        static picture found;
-        for (int row = 0; row < HEIGHT; row++)
-            for (int column = 0; column < WIDTH; column++) {
-                double depth = scene_depth(lens, column, row);
-                values[row][column] =
-                    (GLfloat)(isfinite(depth) ? window_depth(&frame, lens, column, row, depth) : projections[i].far_value);
-                if (lens != truth_of) {
-                    if (row == 0 && column == 0) brightest = 0;
-                    truth[row][column] = glow_reference(lens, &frame, column, row, depth);
-                    brightest = fmax(brightest, truth[row][column]);
-                }
-            }
-        truth_of = lens;
-        frame.depth_texture = make_depth_texture(GL_DEPTH_COMPONENT32F, values);
-        measure(&frame, found);
-        gl.DeleteTextures(1, &frame.depth_texture);
+        ew_frame_desc frame = frame_of(&projections[i]);
+        if (projections[i].lens != truth_of) brightest = compute_truth(projections[i].lens, &frame, truth);
+        truth_of = projections[i].lens;
+        draw_with_depths(&projections[i], &frame, found);
 
         double worst = 0;
         for (int row = 0; row < HEIGHT; row++)

@@ -214,61 +214,63 @@ static void scramble_framebuffers(test_host *host)
     gl.BindRenderbuffer(GL_RENDERBUFFER, coin(host) ? host->renderbuffer : 0);
 }
 
+/* What glEnable takes, and where. */
+static const struct {
+    GLenum capability;
+    int desktop_version; /* NEVER - 1: the compatibility profile */
+    int es_version;
+    const char *extension;
+} capabilities[] = {
+    {GL_CULL_FACE, 33, 30, NULL},
+    {GL_DEPTH_TEST, 33, 30, NULL},
+    {GL_STENCIL_TEST, 33, 30, NULL},
+    {GL_SCISSOR_TEST, 33, 30, NULL},
+    {GL_DITHER, 33, 30, NULL},
+    {GL_POLYGON_OFFSET_FILL, 33, 30, NULL},
+    {GL_SAMPLE_ALPHA_TO_COVERAGE, 33, 30, NULL},
+    {GL_SAMPLE_COVERAGE, 33, 30, NULL},
+    {GL_RASTERIZER_DISCARD, 33, 30, NULL},
+    {GL_PRIMITIVE_RESTART_FIXED_INDEX, 43, 30, NULL},
+    {GL_SAMPLE_MASK, 33, 31, NULL},
+    {GL_SAMPLE_SHADING, 40, 32, "GL_OES_sample_shading"},
+    {GL_COLOR_LOGIC_OP, 33, NEVER, NULL},
+    {GL_DEPTH_CLAMP, 33, NEVER, "GL_EXT_depth_clamp"},
+    {GL_FRAMEBUFFER_SRGB, 33, NEVER, "GL_EXT_sRGB_write_control"},
+    {GL_LINE_SMOOTH, 33, NEVER, NULL},
+    {GL_MULTISAMPLE, 33, NEVER, NULL},
+    {GL_POLYGON_OFFSET_LINE, 33, NEVER, NULL},
+    {GL_POLYGON_OFFSET_POINT, 33, NEVER, NULL},
+    {GL_POLYGON_SMOOTH, 33, NEVER, NULL},
+    {GL_PRIMITIVE_RESTART, 33, NEVER, NULL},
+    {GL_PROGRAM_POINT_SIZE, 33, NEVER, NULL},
+    {GL_SAMPLE_ALPHA_TO_ONE, 33, NEVER, NULL},
+    {GL_TEXTURE_CUBE_MAP_SEAMLESS, 33, NEVER, NULL},
+    {GL_BLEND_ADVANCED_COHERENT_KHR, NEVER, NEVER, "GL_KHR_blend_equation_advanced_coherent"},
+    {GL_DEPTH_BOUNDS_TEST_EXT, NEVER, NEVER, "GL_EXT_depth_bounds_test"},
+    {GL_CLIP_DISTANCE0, 33, NEVER, "GL_EXT_clip_cull_distance"},
+    {GL_CLIP_DISTANCE1, 33, NEVER, "GL_EXT_clip_cull_distance"},
+    {GL_CLIP_DISTANCE2, 33, NEVER, "GL_EXT_clip_cull_distance"},
+    {GL_CLIP_DISTANCE3, 33, NEVER, "GL_EXT_clip_cull_distance"},
+    {GL_CLIP_DISTANCE4, 33, NEVER, "GL_EXT_clip_cull_distance"},
+    {GL_CLIP_DISTANCE5, 33, NEVER, "GL_EXT_clip_cull_distance"},
+    {GL_CLIP_DISTANCE6, 33, NEVER, "GL_EXT_clip_cull_distance"},
+    {GL_CLIP_DISTANCE7, 33, NEVER, "GL_EXT_clip_cull_distance"},
+    {GL_ALPHA_TEST, NEVER - 1, NEVER, NULL},
+    {GL_COLOR_MATERIAL, NEVER - 1, NEVER, NULL},
+    {GL_COLOR_SUM, NEVER - 1, NEVER, NULL},
+    {GL_FOG, NEVER - 1, NEVER, NULL},
+    {GL_LIGHTING, NEVER - 1, NEVER, NULL},
+    {GL_LIGHT0, NEVER - 1, NEVER, NULL},
+    {GL_LINE_STIPPLE, NEVER - 1, NEVER, NULL},
+    {GL_NORMALIZE, NEVER - 1, NEVER, NULL},
+    {GL_POINT_SMOOTH, NEVER - 1, NEVER, NULL},
+    {GL_POINT_SPRITE, NEVER - 1, NEVER, NULL},
+    {GL_POLYGON_STIPPLE, NEVER - 1, NEVER, NULL},
+    {GL_VERTEX_PROGRAM_TWO_SIDE, NEVER - 1, NEVER, NULL},
+};
+
 static void scramble_capabilities(test_host *host, unsigned long long seed)
 {
-    static const struct {
-        GLenum capability;
-        int desktop_version; /* NEVER - 1: the compatibility profile */
-        int es_version;
-        const char *extension;
-    } capabilities[] = {
-        {GL_CULL_FACE, 33, 30, NULL},
-        {GL_DEPTH_TEST, 33, 30, NULL},
-        {GL_STENCIL_TEST, 33, 30, NULL},
-        {GL_SCISSOR_TEST, 33, 30, NULL},
-        {GL_DITHER, 33, 30, NULL},
-        {GL_POLYGON_OFFSET_FILL, 33, 30, NULL},
-        {GL_SAMPLE_ALPHA_TO_COVERAGE, 33, 30, NULL},
-        {GL_SAMPLE_COVERAGE, 33, 30, NULL},
-        {GL_RASTERIZER_DISCARD, 33, 30, NULL},
-        {GL_PRIMITIVE_RESTART_FIXED_INDEX, 43, 30, NULL},
-        {GL_SAMPLE_MASK, 33, 31, NULL},
-        {GL_SAMPLE_SHADING, 40, 32, "GL_OES_sample_shading"},
-        {GL_COLOR_LOGIC_OP, 33, NEVER, NULL},
-        {GL_DEPTH_CLAMP, 33, NEVER, "GL_EXT_depth_clamp"},
-        {GL_FRAMEBUFFER_SRGB, 33, NEVER, "GL_EXT_sRGB_write_control"},
-        {GL_LINE_SMOOTH, 33, NEVER, NULL},
-        {GL_MULTISAMPLE, 33, NEVER, NULL},
-        {GL_POLYGON_OFFSET_LINE, 33, NEVER, NULL},
-        {GL_POLYGON_OFFSET_POINT, 33, NEVER, NULL},
-        {GL_POLYGON_SMOOTH, 33, NEVER, NULL},
-        {GL_PRIMITIVE_RESTART, 33, NEVER, NULL},
-        {GL_PROGRAM_POINT_SIZE, 33, NEVER, NULL},
-        {GL_SAMPLE_ALPHA_TO_ONE, 33, NEVER, NULL},
-        {GL_TEXTURE_CUBE_MAP_SEAMLESS, 33, NEVER, NULL},
-        {GL_BLEND_ADVANCED_COHERENT_KHR, NEVER, NEVER, "GL_KHR_blend_equation_advanced_coherent"},
-        {GL_DEPTH_BOUNDS_TEST_EXT, NEVER, NEVER, "GL_EXT_depth_bounds_test"},
-        {GL_CLIP_DISTANCE0, 33, NEVER, "GL_EXT_clip_cull_distance"},
-        {GL_CLIP_DISTANCE1, 33, NEVER, "GL_EXT_clip_cull_distance"},
-        {GL_CLIP_DISTANCE2, 33, NEVER, "GL_EXT_clip_cull_distance"},
-        {GL_CLIP_DISTANCE3, 33, NEVER, "GL_EXT_clip_cull_distance"},
-        {GL_CLIP_DISTANCE4, 33, NEVER, "GL_EXT_clip_cull_distance"},
-        {GL_CLIP_DISTANCE5, 33, NEVER, "GL_EXT_clip_cull_distance"},
-        {GL_CLIP_DISTANCE6, 33, NEVER, "GL_EXT_clip_cull_distance"},
-        {GL_CLIP_DISTANCE7, 33, NEVER, "GL_EXT_clip_cull_distance"},
-        {GL_ALPHA_TEST, NEVER - 1, NEVER, NULL},
-        {GL_COLOR_MATERIAL, NEVER - 1, NEVER, NULL},
-        {GL_COLOR_SUM, NEVER - 1, NEVER, NULL},
-        {GL_FOG, NEVER - 1, NEVER, NULL},
-        {GL_LIGHTING, NEVER - 1, NEVER, NULL},
-        {GL_LIGHT0, NEVER - 1, NEVER, NULL},
-        {GL_LINE_STIPPLE, NEVER - 1, NEVER, NULL},
-        {GL_NORMALIZE, NEVER - 1, NEVER, NULL},
-        {GL_POINT_SMOOTH, NEVER - 1, NEVER, NULL},
-        {GL_POINT_SPRITE, NEVER - 1, NEVER, NULL},
-        {GL_POLYGON_STIPPLE, NEVER - 1, NEVER, NULL},
-        {GL_VERTEX_PROGRAM_TWO_SIDE, NEVER - 1, NEVER, NULL},
-    };
     /* Every other seed enables one only, each in its turn: what one does, another might hide. */
     bool only_one = seed % 2 == 0;
     int chosen = (int)(seed / 2 % (unsigned)COUNT(capabilities));

@@ -99,6 +99,53 @@ static ew_sources pack(const ew_sources_desc *desc, const ew_frame_desc *frame, 
     return sources;
 }
 
+static double energy_of(const ew_frame_desc *frame)
+{
+    return frame->decay_alpha / (frame->interval_end - frame->interval_start);
+}
+
+static void check_point(const ew_point *point, const ew_frame_desc *frame, const struct ew_point_block *block)
+{
+    double expected[3];
+    to_ray_space(frame, point->position, 1, expected);
+    check_vector(block->position, expected, float_error);
+    check_close((double)block->color.w, point->coefficient * energy_of(frame), float_error);
+    check_vector(block->color, point->color, float_error);
+}
+
+/* The line's block is another point of the same line, the nearest to the anchor, with a unit direction. */
+static void check_line(const ew_line *line, const ew_frame_desc *frame, const struct ew_line_block *block)
+{
+    double expected[3], direction[3], position[3];
+    to_ray_space(frame, line->position, 1, expected);
+    from_vec4(block->direction, direction);
+    from_vec4(block->position, position);
+    check_close(dot(direction, direction), 1, float_error);
+    check_close(dot(direction, position), 0, float_error);
+    double along = dot(expected, direction);
+    for (int i = 0; i < 3; ++i)
+        expected[i] -= along * direction[i];
+    check_vector(block->position, expected, float_error);
+    to_ray_space(frame, line->direction, 0, expected);
+    check_close(dot(direction, expected), sqrt(dot(expected, expected)), float_error);
+    check_close((double)block->color.w, line->coefficient * energy_of(frame), float_error);
+    check_vector(block->color, line->color, float_error);
+}
+
+static void check_torus(const ew_torus *torus, const ew_frame_desc *frame, const struct ew_torus_block *block)
+{
+    double expected[3], axis[3];
+    to_ray_space(frame, torus->center, 1, expected);
+    check_vector(block->center, expected, float_error);
+    to_ray_space(frame, torus->axis, 0, expected);
+    from_vec4(block->axis, axis);
+    check_close(dot(axis, axis), 1, float_error);
+    check_close(dot(axis, expected), sqrt(dot(expected, expected)), float_error);
+    check_close((double)block->axis.w, torus->radius / (frame->interval_end - frame->interval_start), float_error);
+    check_close((double)block->color.w, torus->coefficient * energy_of(frame), float_error);
+    check_vector(block->color, torus->color, float_error);
+}
+
 static void points_lines_and_tori_come_to_ray_space(void **state)
 {
     (void)state;
@@ -107,7 +154,6 @@ static void points_lines_and_tori_come_to_ray_space(void **state)
         double eye[3];
         random_vector(eye);
         ew_frame_desc frame = random_frame(eye);
-        double energy = frame.decay_alpha / (frame.interval_end - frame.interval_start);
         ew_point point = {.coefficient = 2, .color = {0.1, 0.2, 0.3}};
         ew_line line = {.coefficient = 3, .color = {0.4, 0.5, 0.6}};
         ew_torus torus = {.radius = 0.9, .coefficient = 5.1, .color = {0.7, 0.8, 0.9}};
@@ -117,40 +163,17 @@ static void points_lines_and_tori_come_to_ray_space(void **state)
         random_vector(torus.center);
         random_vector(torus.axis);
         ew_plan plan;
-        ew_sources_desc desc = {&point, 1, &line, 1, &torus, 1, NULL, 0, 1e-3};
+        ew_sources_desc desc = {.points = &point,
+                                .point_count = 1,
+                                .lines = &line,
+                                .line_count = 1,
+                                .tori = &torus,
+                                .torus_count = 1,
+                                .epsilon = 1e-3};
         ew_sources sources = pack(&desc, &frame, &plan);
-
-        double expected[3], direction[3], position[3];
-        to_ray_space(&frame, point.position, 1, expected);
-        check_vector(packed_point(&sources, 0)->position, expected, float_error);
-        check_close((double)packed_point(&sources, 0)->color.w, 2 * energy, float_error);
-        check_vector(packed_point(&sources, 0)->color, point.color, float_error);
-
-        /* The line's block is another point of the same line, the nearest to the anchor, with a unit direction. */
-        to_ray_space(&frame, line.position, 1, expected);
-        from_vec4(packed_line(&sources, 0)->direction, direction);
-        from_vec4(packed_line(&sources, 0)->position, position);
-        check_close(dot(direction, direction), 1, float_error);
-        check_close(dot(direction, position), 0, float_error);
-        double along = dot(expected, direction);
-        for (int i = 0; i < 3; ++i)
-            expected[i] -= along * direction[i];
-        check_vector(packed_line(&sources, 0)->position, expected, float_error);
-        to_ray_space(&frame, line.direction, 0, expected);
-        check_close(dot(direction, expected), sqrt(dot(expected, expected)), float_error);
-        check_close((double)packed_line(&sources, 0)->color.w, 3 * energy, float_error);
-        check_vector(packed_line(&sources, 0)->color, line.color, float_error);
-
-        to_ray_space(&frame, torus.center, 1, expected);
-        check_vector(packed_torus(&sources, 0)->center, expected, float_error);
-        to_ray_space(&frame, torus.axis, 0, expected);
-        double axis[3];
-        from_vec4(packed_torus(&sources, 0)->axis, axis);
-        check_close(dot(axis, axis), 1, float_error);
-        check_close(dot(axis, expected), sqrt(dot(expected, expected)), float_error);
-        check_close((double)packed_torus(&sources, 0)->axis.w, 0.9 / (frame.interval_end - frame.interval_start), float_error);
-        check_close((double)packed_torus(&sources, 0)->color.w, 5.1 * energy, float_error);
-        check_vector(packed_torus(&sources, 0)->color, torus.color, float_error);
+        check_point(&point, &frame, packed_point(&sources, 0));
+        check_line(&line, &frame, packed_line(&sources, 0));
+        check_torus(&torus, &frame, packed_torus(&sources, 0));
         ew_sources_destroy(&sources, &ew_default_allocator);
     }
 }
@@ -293,64 +316,95 @@ static void an_arch_has_its_origin_at_the_vertex_and_a_straight_arc_on_itself(vo
     ew_sources_destroy(&sources, &ew_default_allocator);
 }
 
-/* The same world, moved by 1e5 units with its camera: packed, it is the same, to what doubles resolve out there. */
+/* One source of each kind. */
+typedef struct small_world {
+    ew_point point;
+    ew_line line;
+    ew_torus torus;
+    ew_curve curve;
+} small_world;
+
+static small_world random_world(void)
+{
+    small_world made = {.point = {.coefficient = 1},
+                        .line = {.coefficient = 1},
+                        .torus = {.radius = 1e-3, .coefficient = 1},
+                        .curve = {.domain = {-1, 1}, .coefficient = 1}};
+    random_vector(made.point.position);
+    random_vector(made.line.position);
+    random_vector(made.line.direction);
+    random_vector(made.torus.center);
+    random_vector(made.torus.axis);
+    for (int i = 0; i < 3; ++i)
+        random_vector(made.curve.polynomial[i]);
+    return made;
+}
+
+static small_world moved_world(small_world moved, const double by[3])
+{
+    for (int i = 0; i < 3; ++i) {
+        moved.point.position[i] += by[i];
+        moved.line.position[i] += by[i];
+        moved.torus.center[i] += by[i];
+        moved.curve.polynomial[0][i] += by[i];
+    }
+    return moved;
+}
+
+static ew_sources_desc describe(const small_world *world)
+{
+    return (ew_sources_desc){.points = &world->point,
+                             .point_count = 1,
+                             .lines = &world->line,
+                             .line_count = 1,
+                             .tori = &world->torus,
+                             .torus_count = 1,
+                             .curves = &world->curve,
+                             .curve_count = 1,
+                             .epsilon = 1e-3};
+}
+
+/* The frame with its eye elsewhere. */
+static ew_frame_desc seen_from(ew_frame_desc frame, const double eye[3])
+{
+    for (int row = 0; row < 3; ++row) {
+        frame.view[12 + row] = 0;
+        for (int column = 0; column < 3; ++column)
+            frame.view[12 + row] -= frame.view[4 * column + row] * eye[column];
+    }
+    return frame;
+}
+
+/* Equal to what doubles resolve far away: their spacing at 1e5 is 1.5e-11, where a single precision sum would be off by 1e-2.
+ * And either may have been rounded to the next float. */
+static void check_floats(const void *far_values, const void *near_values, size_t size)
+{
+    for (size_t i = 0; i < size / sizeof(float); ++i) {
+        double is_near = (double)((const float *)near_values)[i];
+        check_close((double)((const float *)far_values)[i], is_near, 1e-9 + 1.2e-7 * fabs(is_near));
+    }
+}
+
+/* The same world, moved by 1e5 units with its camera: packed, it is the same. */
 static void a_world_far_from_its_origin_is_packed_as_if_it_were_near(void **state)
 {
     (void)state;
     const double far_away[3] = {1e5, -1.3e5, 0.9e5};
-    /* The spacing of doubles at 1e5 is 1.5e-11; a single precision sum there would be off by 1e-2. */
-    const double tolerance = 1e-9;
     srand(4);
     for (int round = 0; round < 20; ++round) {
         double eye[3], far_eye[3];
         random_vector(eye);
-        ew_frame_desc frame = random_frame(eye), far_frame = frame;
-        ew_point points[2] = {{.coefficient = 1}, {.coefficient = 1}};
-        ew_line lines[2] = {{.coefficient = 1}, {.coefficient = 1}};
-        ew_torus tori[2] = {{.radius = 1e-3, .coefficient = 1}, {.radius = 1e-3, .coefficient = 1}};
-        ew_curve curves[2] = {{.domain = {-1, 1}, .coefficient = 1}, {.domain = {-1, 1}, .coefficient = 1}};
-        random_vector(points[0].position);
-        random_vector(lines[0].position);
-        random_vector(lines[0].direction);
-        random_vector(tori[0].center);
-        random_vector(tori[0].axis);
         for (int i = 0; i < 3; ++i)
-            random_vector(curves[0].polynomial[i]);
-        points[1] = points[0];
-        lines[1] = lines[0];
-        tori[1] = tori[0];
-        curves[1] = curves[0];
-        for (int i = 0; i < 3; ++i) {
             far_eye[i] = eye[i] + far_away[i];
-            points[1].position[i] += far_away[i];
-            lines[1].position[i] += far_away[i];
-            tori[1].center[i] += far_away[i];
-            curves[1].polynomial[0][i] += far_away[i];
-        }
-        for (int row = 0; row < 3; ++row) {
-            far_frame.view[12 + row] = 0;
-            for (int column = 0; column < 3; ++column)
-                far_frame.view[12 + row] -= frame.view[4 * column + row] * far_eye[column];
-        }
+        const ew_frame_desc near_frame = random_frame(eye), far_frame = seen_from(near_frame, far_eye);
+        const small_world near_world = random_world(), far_world = moved_world(near_world, far_away);
+        const ew_sources_desc near_desc = describe(&near_world), far_desc = describe(&far_world);
         ew_plan near_plan, far_plan;
-        ew_sources_desc near_desc = {&points[0], 1, &lines[0], 1, &tori[0], 1, &curves[0], 1, 1e-3};
-        ew_sources_desc far_desc = {&points[1], 1, &lines[1], 1, &tori[1], 1, &curves[1], 1, 1e-3};
-        ew_sources near_sources = pack(&near_desc, &frame, &near_plan), far_sources = pack(&far_desc, &far_frame, &far_plan);
-        const struct {
-            const void *near_values, *far_values;
-            size_t size;
-        } blocks[] = {
-            {near_sources.data, far_sources.data, near_sources.data_size},
-            {&near_plan.uniforms.frame, &far_plan.uniforms.frame, offsetof(struct ew_frame_block, simpson)},
-        };
-        for (size_t i = 0; i < sizeof blocks / sizeof blocks[0]; ++i) {
-            for (size_t j = 0; j < blocks[i].size / sizeof(float); ++j) {
-                double is_near = (double)((const float *)blocks[i].near_values)[j];
-                double is_far = (double)((const float *)blocks[i].far_values)[j];
-                /* Either may have been rounded to the next float. */
-                check_close(is_far, is_near, tolerance + 1.2e-7 * fabs(is_near));
-            }
-        }
+        ew_sources near_sources = pack(&near_desc, &near_frame, &near_plan);
+        ew_sources far_sources = pack(&far_desc, &far_frame, &far_plan);
+        assert_int_equal(near_sources.data_size, far_sources.data_size);
+        check_floats(far_sources.data, near_sources.data, near_sources.data_size);
+        check_floats(&far_plan.uniforms.frame, &near_plan.uniforms.frame, offsetof(struct ew_frame_block, simpson));
         ew_sources_destroy(&near_sources, &ew_default_allocator);
         ew_sources_destroy(&far_sources, &ew_default_allocator);
     }

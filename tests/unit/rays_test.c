@@ -56,16 +56,12 @@ static void clip_obliquely(double m[16], const double plane[4])
 
 enum { CAMERA_COUNT = 13 };
 
-static void make_cameras(camera cameras[CAMERA_COUNT])
-{
-    const double n = 0.1, f = 1000;
-    const double a = 0.08 * n / 0.1, b = 0.045 * n / 0.1; /* half the width and height at the near plane */
-    camera *c = cameras;
-    for (int i = 0; i < CAMERA_COUNT; ++i) {
-        cameras[i] = (camera){.start = 3, .end = 15};
-        frustum(cameras[i].projection, -a, a, -b, b, n, f);
-    }
+/* Each of these makes the cameras from `c` on and returns the last. Until they change it, each camera is a perspective one with
+ * the near and far planes at n and f, and half_width and half_height are what it sees at the near plane. */
+static const double n = 0.1, f = 1000, half_width = 0.08, half_height = 0.045;
 
+static camera *make_perspective_cameras(camera *c)
+{
     c->name = "perspective";
 
     (++c)->name = "perspective, interval from near to far";
@@ -73,7 +69,7 @@ static void make_cameras(camera cameras[CAMERA_COUNT])
     c->end = f;
 
     (++c)->name = "off-axis perspective";
-    frustum(c->projection, -0.5 * a, 1.7 * a, -2 * b, 0.1 * b, n, f);
+    frustum(c->projection, -0.5 * half_width, 1.7 * half_width, -2 * half_height, 0.1 * half_height, n, f);
 
     (++c)->name = "jittered perspective, turned upside down";
     c->projection[8] += 0.3 / WIDTH;
@@ -87,7 +83,12 @@ static void make_cameras(camera cameras[CAMERA_COUNT])
     for (int i = 0; i < 16; ++i)
         c->projection[i] *= 3;
 
-    (++c)->name = "perspective, [0, 1]";
+    return c;
+}
+
+static camera *make_cameras_of_other_depths(camera *c)
+{
+    c->name = "perspective, [0, 1]";
     c->clip_depth = EW_CLIP_DEPTH_ZERO_TO_ONE;
     c->projection[10] = -f / (f - n);
     c->projection[14] = -f * n / (f - n);
@@ -111,7 +112,12 @@ static void make_cameras(camera cameras[CAMERA_COUNT])
     (++c)->name = "oblique near plane";
     clip_obliquely(c->projection, (double[4]){0.3, -0.2, -0.9, -1});
 
-    (++c)->name = "orthographic, from behind the eye";
+    return c;
+}
+
+static camera *make_parallel_cameras(camera *c)
+{
+    c->name = "orthographic, from behind the eye";
     orthographic(c->projection, -8, 8, -4.5, 4.5, -10, 100);
     c->start = -5;
 
@@ -126,7 +132,19 @@ static void make_cameras(camera cameras[CAMERA_COUNT])
     c->projection[8] = 0.04;
     c->projection[9] = -0.03;
 
-    assert_ptr_equal(c, &cameras[CAMERA_COUNT - 1]);
+    return c;
+}
+
+static void make_cameras(camera cameras[CAMERA_COUNT])
+{
+    for (int i = 0; i < CAMERA_COUNT; ++i) {
+        cameras[i] = (camera){.start = 3, .end = 15};
+        frustum(cameras[i].projection, -half_width, half_width, -half_height, half_height, n, f);
+    }
+    camera *last = make_perspective_cameras(cameras);
+    last = make_cameras_of_other_depths(last + 1);
+    last = make_parallel_cameras(last + 1);
+    assert_ptr_equal(last, &cameras[CAMERA_COUNT - 1]);
 }
 
 /* ---- The same by full matrices ---- */

@@ -33,46 +33,45 @@ static void check_numbers(const double *actual, const double *expected, size_t c
         check_close(actual[i], expected[i], 0);
 }
 
-static void everything_in_the_file_arrives(void **state)
+static void check_settings(const demo_scene *s)
 {
-    (void)state;
-    demo_scene s;
-    char message[256] = "";
-    if (!parse(full_scene, &s, message)) fail_msg("%s", message);
-    check_numbers(s.camera.eye, (double[]){1, 2, 8}, 3);
-    check_numbers(s.camera.target, (double[]){0.5, 0, 0}, 3);
-    check_numbers(s.camera.up, (double[]){0, 0, 1}, 3);
-    assert_false(s.camera.orthographic);
-    check_close(s.camera.fov_y_degrees, 60, 0);
-    check_close(s.camera.near_depth, 0.5, 0);
-    check_close(s.camera.far_depth, 50, 0);
-    check_close(s.interval_start, 3, 0);
-    check_close(s.interval_end, 15, 0);
-    check_close(s.decay_alpha, 2, 0);
-    check_close(s.decay_beta, 0.5, 0);
-    check_close(s.sources.epsilon, 0.01, 0);
-    check_numbers(s.background, (double[]){0.1, 0.2, 0.3}, 3);
-    assert_int_equal(s.composite, EW_OUTPUT_ADD);
+    check_numbers(s->camera.eye, (double[]){1, 2, 8}, 3);
+    check_numbers(s->camera.target, (double[]){0.5, 0, 0}, 3);
+    check_numbers(s->camera.up, (double[]){0, 0, 1}, 3);
+    assert_false(s->camera.orthographic);
+    check_close(s->camera.fov_y_degrees, 60, 0);
+    check_close(s->camera.near_depth, 0.5, 0);
+    check_close(s->camera.far_depth, 50, 0);
+    check_close(s->interval_start, 3, 0);
+    check_close(s->interval_end, 15, 0);
+    check_close(s->decay_alpha, 2, 0);
+    check_close(s->decay_beta, 0.5, 0);
+    check_close(s->sources.epsilon, 0.01, 0);
+    check_numbers(s->background, (double[]){0.1, 0.2, 0.3}, 3);
+    assert_int_equal(s->composite, EW_OUTPUT_ADD);
+}
 
-    assert_int_equal(s.sources.point_count, 1);
-    check_numbers(s.sources.points[0].position, (double[]){100000.0000001, 2, 3}, 3);
-    check_close(s.sources.points[0].coefficient, 4, 0);
-    check_numbers(s.sources.points[0].color, (double[]){5, 6, 7}, 3);
+static void check_sources(const demo_scene *s)
+{
+    assert_int_equal(s->sources.point_count, 1);
+    check_numbers(s->sources.points[0].position, (double[]){100000.0000001, 2, 3}, 3);
+    check_close(s->sources.points[0].coefficient, 4, 0);
+    check_numbers(s->sources.points[0].color, (double[]){5, 6, 7}, 3);
 
-    assert_int_equal(s.sources.line_count, 1);
-    check_numbers(s.sources.lines[0].position, (double[]){1, 2, 3}, 3);
-    check_numbers(s.sources.lines[0].direction, (double[]){0, 0, 5}, 3);
-    check_close(s.sources.lines[0].coefficient, 1, 0);
-    check_numbers(s.sources.lines[0].color, (double[]){0.4, 0.5, 0.6}, 3);
+    assert_int_equal(s->sources.line_count, 1);
+    check_numbers(s->sources.lines[0].position, (double[]){1, 2, 3}, 3);
+    check_numbers(s->sources.lines[0].direction, (double[]){0, 0, 5}, 3);
+    check_close(s->sources.lines[0].coefficient, 1, 0);
+    check_numbers(s->sources.lines[0].color, (double[]){0.4, 0.5, 0.6}, 3);
 
-    assert_int_equal(s.sources.torus_count, 1);
-    check_numbers(s.sources.tori[0].center, (double[]){1, 2, 3}, 3);
-    check_numbers(s.sources.tori[0].axis, (double[]){0, 2, 0}, 3);
-    check_close(s.sources.tori[0].radius, 0.9, 0);
-    check_close(s.sources.tori[0].coefficient, 5.1, 0);
+    assert_int_equal(s->sources.torus_count, 1);
+    check_numbers(s->sources.tori[0].center, (double[]){1, 2, 3}, 3);
+    check_numbers(s->sources.tori[0].axis, (double[]){0, 2, 0}, 3);
+    check_close(s->sources.tori[0].radius, 0.9, 0);
+    check_close(s->sources.tori[0].coefficient, 5.1, 0);
 
-    assert_int_equal(s.sources.curve_count, 2);
-    const ew_curve *bezier = &s.sources.curves[0], *parabola = &s.sources.curves[1];
+    assert_int_equal(s->sources.curve_count, 2);
+    const ew_curve *bezier = &s->sources.curves[0], *parabola = &s->sources.curves[1];
     check_numbers(&bezier->polynomial[0][0], (double[]){0, 0, 0, 2, 4, 0, 0, -4, 0}, 9);
     check_numbers(bezier->domain, (double[]){0, 1}, 2);
     assert_int_equal(bezier->weight_count, 3);
@@ -81,18 +80,32 @@ static void everything_in_the_file_arrives(void **state)
     check_numbers(parabola->domain, (double[]){-2, 2}, 2);
     assert_null(parabola->weights);
     assert_int_equal(parabola->weight_count, 0);
+}
 
-    assert_int_equal(s.opaque_count, 3);
-    assert_int_equal(s.opaque[0].kind, OPAQUE_BOX);
-    check_numbers(s.opaque[0].shape.box.min, (double[]){0, 1, 2}, 3);
-    check_numbers(s.opaque[0].shape.box.max, (double[]){3, 4, 5}, 3);
-    check_numbers(s.opaque[0].color, (double[]){0.1, 0.2, 0.3}, 3);
-    assert_int_equal(s.opaque[1].kind, OPAQUE_PLANE);
-    check_numbers(s.opaque[1].shape.plane.point, (double[]){0, -1, 0}, 3);
-    check_numbers(s.opaque[1].shape.plane.normal, (double[]){0, 3, 0}, 3);
-    assert_int_equal(s.opaque[2].kind, OPAQUE_SPHERE);
-    check_numbers(s.opaque[2].shape.sphere.center, (double[]){6, 7, 8}, 3);
-    check_close(s.opaque[2].shape.sphere.radius, 2, 0);
+static void check_opaque_shapes(const demo_scene *s)
+{
+    assert_int_equal(s->opaque_count, 3);
+    assert_int_equal(s->opaque[0].kind, OPAQUE_BOX);
+    check_numbers(s->opaque[0].shape.box.min, (double[]){0, 1, 2}, 3);
+    check_numbers(s->opaque[0].shape.box.max, (double[]){3, 4, 5}, 3);
+    check_numbers(s->opaque[0].color, (double[]){0.1, 0.2, 0.3}, 3);
+    assert_int_equal(s->opaque[1].kind, OPAQUE_PLANE);
+    check_numbers(s->opaque[1].shape.plane.point, (double[]){0, -1, 0}, 3);
+    check_numbers(s->opaque[1].shape.plane.normal, (double[]){0, 3, 0}, 3);
+    assert_int_equal(s->opaque[2].kind, OPAQUE_SPHERE);
+    check_numbers(s->opaque[2].shape.sphere.center, (double[]){6, 7, 8}, 3);
+    check_close(s->opaque[2].shape.sphere.radius, 2, 0);
+}
+
+static void everything_in_the_file_arrives(void **state)
+{
+    (void)state;
+    demo_scene s;
+    char message[256] = "";
+    if (!parse(full_scene, &s, message)) fail_msg("%s", message);
+    check_settings(&s);
+    check_sources(&s);
+    check_opaque_shapes(&s);
     scene_free(&s);
 }
 

@@ -33,7 +33,15 @@ static void make_field(field *f)
                                   .coefficient = 1,
                                   .color = {1, 1, 1}};
     }
-    f->desc = (ew_sources_desc){f->points, 2, f->lines, 2, f->tori, 2, f->curves, 2, 1e-3};
+    f->desc = (ew_sources_desc){.points = f->points,
+                                .point_count = 2,
+                                .lines = f->lines,
+                                .line_count = 2,
+                                .tori = f->tori,
+                                .torus_count = 2,
+                                .curves = f->curves,
+                                .curve_count = 2,
+                                .epsilon = 1e-3};
 }
 
 static const size_t gl_largest_block = 65536;

@@ -5,6 +5,7 @@
 #ifndef RANDOM_NUMBERS_H
 #define RANDOM_NUMBERS_H
 
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
@@ -26,6 +27,17 @@ static inline double random_unit(uint64_t *state)
 static inline size_t random_index(uint64_t *state, size_t count)
 {
     return (size_t)(random_unit(state) * (double)count);
+}
+
+/* In [low, high). */
+static inline double random_between(uint64_t *state, double low, double high)
+{
+    return low + random_unit(state) * (high - low);
+}
+
+static inline bool random_chance(uint64_t *state, double probability)
+{
+    return random_unit(state) < probability;
 }
 
 #endif

@@ -35,16 +35,9 @@ typedef struct reference_workspace reference_workspace;
 reference_workspace *reference_create_workspace(void);
 void reference_destroy_workspace(reference_workspace *workspace);
 
-/* Computes the luminance of the sources together, and in `shares` (NULL for none) that of each: the points, then the lines,
- * the tori and the curves. Returns whether the sum's error is within REFERENCE_RELATIVE_ERROR. */
+/* Computes the luminance of the sources together, and in `shares` (NULL for none) that of each source, kind by kind in the
+ * order of source_kinds.h. Returns whether the sum's error is within REFERENCE_RELATIVE_ERROR. */
 bool reference_luminance(reference_workspace *workspace, const ew_sources_desc *sources, const reference_ray *ray,
                          reference_value *sum, reference_value *shares);
-
-/* The weight at u in [0, 1] of a list of `count` values: 1 for none, a constant for one, a ramp for two, else the clamped
- * uniform quadratic B-spline by its recursive definition, equations (14) to (16), with half-open intervals but for the last. */
-double reference_weight(const double *weights, size_t count, double u);
-
-/* The distance from a point to a curve, and in `t` (NULL for none) the nearest parameter. */
-double reference_curve_distance(const ew_curve *curve, const double point[3], double *t);
 
 #endif
