@@ -1,27 +1,39 @@
 /*
  * EnergyWave: a drop-in OpenGL effect that draws the glow of a continuous field of energy.
  *
- * The field at a point P is
+ * Every pixel is the line integral, along its view ray, of a field that is defined everywhere in space. There are two
+ * integrals.
  *
- *     psi(P) = sum over the sources of  coefficient * weight / max(epsilon, distance(P, source))
+ * The world integral is for games. Source i has a core of radius r, inside which its field is constant, and a reach R > r, at
+ * which it ends:
  *
- * and every pixel is the field's line integral along the view ray, with a decay that dims distant light:
+ *     psi_i(P) = c_i w_i max(0, 1 / max(r', d_i(P)) - 1 / R_i)
+ *     B = sum over the sources of  integral from the eye to the opaque scene of  psi_i  dx
  *
- *     B = integral from 0 to s_max of  psi(L(s)) * alpha / (s + beta)^2  ds
+ * c is the coefficient, w the weight, d(P) the distance to the source, x the distance along the ray in world units. A parallel
+ * projection integrates from its near plane. B has no unit: a source looks the same in metres and in miles, and from any
+ * distance. r' is r, or half of `core_pixels` pixels if that is more: see ew_frame_desc.
+ *
+ * The papers' integral is over an interval of view depths, with a decay that dims distant light. A frame with an interval asks
+ * for it:
+ *
+ *     psi_i(P) = c_i w_i / max(r', d_i(P)),  less c_i w_i / R_i and not negative where the source has a reach
+ *     B = sum over the sources of  integral from 0 to s_max of  psi_i(L(s)) * alpha / (s + beta)^2  ds
  *
  * L(s) = S + s (E - S) is the ray through the pixel's centre, with S at view depth `interval_start` and E at `interval_end`.
  * s_max is where the ray meets the host's opaque scene, at most 1. The formulas are from Watanabe, Abe, Konno: "Real-Time
  * Rendering Technique for Visual Expression of Arbitrary-Shaped Energy Wave", equations (2), (3), (7), (13), (17), (18), (20)
- * and (21); thesis (3.2) adds the lower limit `epsilon` of the distance. With alpha = beta = 1 and E twice as far away as S,
- * the decay is exactly the inverse square of the distance from the eye, scaled to 1 at S.
+ * and (21); thesis (3.2) adds the lower limit of the distance. With alpha = beta = 1 and E twice as far away as S, the decay is
+ * exactly the inverse square of the distance from the eye, scaled to 1 at S.
  *
  * One fragment shader on one quad over the viewport computes the whole integral, for all sources in one pass.
  *
  *     ew_effect *effect;
  *     ew_create_effect(&(ew_effect_desc){.get_proc_address = my_loader}, &effect, NULL);
- *     ew_set_sources(effect, &(ew_sources_desc){.points = &orb, .point_count = 1, .epsilon = 1e-3}, NULL);
+ *     ew_point orb = {.position = {0, 1, 0}, .brightness = 1, .color = {0.2, 0.5, 1}, .core = 0.1, .reach = 2};
+ *     ew_set_sources(effect, &(ew_sources_desc){.points = &orb, .point_count = 1}, NULL);
  *     ew_frame_desc frame = EW_FRAME_DEFAULTS;                    // every frame, after the opaque scene:
- *     ...                                                         // camera, interval, target, opaque depth
+ *     ...                                                         // camera, target, opaque depth
  *     ew_draw(effect, &frame, NULL);
  *     ew_destroy_effect(effect);
  *
@@ -112,14 +124,30 @@ typedef struct ew_error {
 EW_API const char *ew_result_text(ew_result result);
 
 /* ---- Sources ------------------------------------------------------------------------------------------------------------
- * In each kind, `coefficient` is the energy coefficient of equation (18), finite and >= 0. `color` is the colour of the
- * source's light where B = 1: linear RGB, each component in [0, 65504]. Positions are finite. */
+ * A source of any kind ends with the same members. All may be left at 0 that do not matter to it.
+ *
+ * coefficient  c of the field, equation (18): finite and >= 0. Or else
+ * brightness   of a source with a reach: the luminance B through the middle of an orb, or of a long straight beam that is seen
+ * from the side, whatever the unit of length. It stands for the coefficient brightness / (2 ln(reach / core)). Finite and
+ *              >= 0; not together with a coefficient.
+ * color        the colour of the light where B = 1: linear RGB, each component in [0, 65504].
+ * core         the radius r of the core, in world units. 0: the `epsilon` of ew_sources_desc.
+ * reach        the distance R at which the light ends, in world units, > core. 0: none, which only the papers' integral allows.
+ * sharpness    of a source with a reach, >= 1; 0 stands for 1. Above 1 the glow falls off faster, like neon, at the same
+ *              brightness b in the middle: the source's B becomes b g(B / b), with g(x) = x^sharpness for x <= 1 and
+ *              1 + sharpness (x - 1) beyond.
+ *
+ * Positions are finite. */
 
 /* d(P) = |P - position|: equation (2). */
 typedef struct ew_point {
     double position[3];
     double coefficient;
+    double brightness;
     double color[3];
+    double core;
+    double reach;
+    double sharpness;
 } ew_point;
 
 /* d(P) = distance to the infinite line through `position` along `direction`: equation (3). `direction` may have any length but
@@ -128,7 +156,11 @@ typedef struct ew_line {
     double position[3];
     double direction[3];
     double coefficient;
+    double brightness;
     double color[3];
+    double core;
+    double reach;
+    double sharpness;
 } ew_line;
 
 /* d(P) = distance to the circle of `radius` >= 0 about `center`, in the plane perpendicular to `axis`: equation (7). `axis` may
@@ -138,7 +170,11 @@ typedef struct ew_torus {
     double axis[3];
     double radius;
     double coefficient;
+    double brightness;
     double color[3];
+    double core;
+    double reach;
+    double sharpness;
 } ew_torus;
 
 /* d(P) = distance to the nearest point of the arc C(t) = polynomial[2] t^2 + polynomial[1] t + polynomial[0] with t in
@@ -155,8 +191,51 @@ typedef struct ew_curve {
     const double *weights;
     size_t weight_count;
     double coefficient;
+    double brightness;
     double color[3];
+    double core;
+    double reach;
+    double sharpness;
 } ew_curve;
+
+/* The points of a path, and what is between them. */
+typedef enum ew_path_kind {
+    /* Straight pieces from point to point; two points are a straight beam. */
+    EW_PATH_POLYLINE,
+    /* A uniform quadratic B-spline. The points in between are the middle control points of the pieces, which join half way
+     * between them. It begins at the first point and ends at the last, unless it is closed. */
+    EW_PATH_BSPLINE,
+    /* Cubic Bezier curves: 3 n + 1 points, each curve starting at the last point of the one before. Cannot be closed. */
+    EW_PATH_BEZIER,
+    /* A uniform Catmull-Rom spline through all points. At an open end the missing neighbour is the mirrored one. */
+    EW_PATH_CATMULL_ROM,
+} ew_path_kind;
+
+/* A chain of pieces that shines as one: its joints are no brighter than the rest. The field is the sum of the pieces' fields,
+ * each by the distance to its nearest point, less a point's field at each joint, with the weight there. Cubic pieces become
+ * quadratic ones within a hundredth of the core's radius.
+ *
+ * points:      as many as the kind needs: 2 or more; a closed path and EW_PATH_BSPLINE 3 or more; EW_PATH_BEZIER 3 n + 1. The
+ *              array is copied.
+ * is_closed:   1: the path goes on from its last point to its first. 0: it does not.
+ * weights:     as for curves, over the whole path. Each span between control points has an equal share of the parameter.
+ *
+ * Of the effect's capacity, a path takes 4 units; a polyline one more for each point, any other path 5 for each of its
+ * quadratic pieces; and, with n weights, n - 2 more. */
+typedef struct ew_path {
+    ew_path_kind kind;
+    const double (*points)[3];
+    size_t point_count;
+    int is_closed;
+    const double *weights;
+    size_t weight_count;
+    double coefficient;
+    double brightness;
+    double color[3];
+    double core;
+    double reach;
+    double sharpness;
+} ew_path;
 
 /* Computes the polynomial, on the domain [0, 1], of the quadratic Bezier curve with these control points: equation (10). */
 EW_API void ew_bezier_polynomial(double control_points[3][3], double polynomial[3][3]);
@@ -166,8 +245,8 @@ EW_API void ew_bezier_polynomial(double control_points[3][3], double polynomial[
  * 0 makes (5.1) negative, and its clamp makes that 0. `frame` may be fractional. Does nothing if `weights` is NULL. */
 EW_API void ew_fill_pulse_weights(double frame, double *weights, size_t count);
 
-/* The field. A list of sources may be NULL with a count of 0; a field without any source draws nothing. `epsilon` > 0 is the
- * least distance that the field's formula uses: it is the radius of the cores, inside which the field is constant. */
+/* The field. A list of sources may be NULL with a count of 0; a field without any source draws nothing. `epsilon` is the core's
+ * radius of the sources that have no `core` of their own: > 0, or 0 if there are none. */
 typedef struct ew_sources_desc {
     const ew_point *points;
     size_t point_count;
@@ -177,6 +256,8 @@ typedef struct ew_sources_desc {
     size_t torus_count;
     const ew_curve *curves;
     size_t curve_count;
+    const ew_path *paths;
+    size_t path_count;
     double epsilon;
 } ew_sources_desc;
 
@@ -257,6 +338,9 @@ typedef enum ew_output {
     EW_OUTPUT_LERP,
     /* C = Cb + sum B_i color_i. The target's alpha stays as it is. */
     EW_OUTPUT_ADD,
+    /* C = 1 - (1 - Cb) exp(-sum B_i color_i), for each channel: it never clips, and runs from the colour to white without
+     * contours. For targets that show what they hold, with colours in [0, 1]. The target's alpha stays as it is. */
+    EW_OUTPUT_SOFT,
     /* B itself, in the red channel, without blending. For tone mapping by the host, and for tests. */
     EW_OUTPUT_LUMINANCE,
     /* How many times the shader evaluated the distance to a source for this pixel, in the red channel. For profiling. */
@@ -305,12 +389,20 @@ typedef struct ew_frame_desc {
     double projection[16];
     ew_clip_depth clip_depth;
 
-    /* View depths of S and E: start < end, both finite; for a perspective projection, start > 0 and end <= 1e12 start. */
+    /* 0 and 0: the world integral. Else the papers': view depths of S and E, start < end, both finite; for a perspective
+     * projection, start > 0 and end <= 1e12 start. */
     double interval_start;
     double interval_end;
-    /* (21): alpha in [0, 1e12], beta in [1e-6, 1e6]. */
+    /* (21), of the papers' integral: alpha in [0, 1e12], beta in [1e-6, 1e6]. Without an interval, both must be 1. */
     double decay_alpha;
     double decay_beta;
+    /* How many pixels wide a core is at the least, in [0, 64]: at view depth z the core's radius is r' = sqrt(r^2 +
+     * (core_pixels / 2 * p)^2), with p the height of a pixel at z in world units. So thin beams neither crawl nor flicker, and
+     * fade with distance as antialiasing would. 0: cores are as they are, for figures. EW_CORE_PIXELS_DEFAULT: 1.5 in the world
+     * integral, 0 in the papers'. */
+    double core_pixels;
+    /* A factor on all colours, in [0, 1e6]. */
+    double exposure;
 
     ew_integrator integrator;
     ew_quality quality;
@@ -354,14 +446,17 @@ typedef struct ew_frame_desc {
     int skip_restore;
 } ew_frame_desc;
 
+#define EW_CORE_PIXELS_DEFAULT -1.0
+
 #define EW_FRAME_DEFAULTS                                                                                                      \
     {                                                                                                                          \
         .view = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1},                                                              \
         .projection = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1, -1, 0, 0, -0.2, 0}, .clip_depth = EW_CLIP_DEPTH_NEGATIVE_ONE_TO_ONE,  \
-        .interval_start = 0.1, .interval_end = 100, .decay_alpha = 1, .decay_beta = 1, .integrator = EW_INTEGRATOR_ADAPTIVE,   \
-        .quality = EW_QUALITY_ERROR_1E_3, .simpson_divisions = 200, .output = EW_OUTPUT_LERP, .framebuffer = 0,                \
-        .viewport_x = 0, .viewport_y = 0, .viewport_width = 0, .viewport_height = 0, .encoding = EW_ENCODING_LINEAR_8BIT,      \
-        .dither = 0, .depth_source = EW_DEPTH_TEXTURE, .depth_texture = 0, .skip_restore = 0                                   \
+        .interval_start = 0, .interval_end = 0, .decay_alpha = 1, .decay_beta = 1, .core_pixels = EW_CORE_PIXELS_DEFAULT,      \
+        .exposure = 1, .integrator = EW_INTEGRATOR_ADAPTIVE, .quality = EW_QUALITY_ERROR_1E_3, .simpson_divisions = 200,       \
+        .output = EW_OUTPUT_LERP, .framebuffer = 0, .viewport_x = 0, .viewport_y = 0, .viewport_width = 0,                     \
+        .viewport_height = 0, .encoding = EW_ENCODING_LINEAR_8BIT, .dither = 0, .depth_source = EW_DEPTH_TEXTURE,              \
+        .depth_texture = 0, .skip_restore = 0                                                                                  \
     }
 
 /* Draws the effect over what the framebuffer holds. The host's scissor (that of viewport 0), conditional rendering and
@@ -375,6 +470,22 @@ typedef struct ew_frame_desc {
  *         changes only the colour of the framebuffer's first draw buffer. */
 EW_API ew_result ew_draw(ew_effect *effect, const ew_frame_desc *frame, ew_error *error);
 
+/* What the sources can light of a frame: a rectangle of the viewport, in pixels of the target, and view depths. */
+typedef struct ew_bounds {
+    int x, y, width, height; /* width or height 0: nothing is lit */
+    double depth_start;      /* view depths, in world units; 0 or less: the eye is in the light */
+    double depth_end;        /* HUGE_VAL: without end, as infinite lines */
+} ew_bounds;
+
+/* Says what the sources can light at the most, so that the host can skip the draw, set a scissor, or sort. In the papers'
+ * integral a source without a reach lights everything in the interval.
+ *
+ * frame:  as ew_draw would take it.
+ * bounds: receives the bounds; unchanged on failure.
+ * Errors: INVALID_ARGUMENT.
+ * GL:     is not called. */
+EW_API ew_result ew_get_bounds(ew_effect *effect, const ew_frame_desc *frame, ew_bounds *bounds, ew_error *error);
+
 /* ---- Compiling ahead ---------------------------------------------------------------------------------------------------- */
 
 /* Which sources a shader can draw. A count from 0 to 4 is exact: for few sources, a shader for exactly that many is the
@@ -384,6 +495,7 @@ typedef struct ew_mix {
     size_t line_count;
     size_t torus_count;
     size_t curve_count;
+    size_t path_count;
     int has_weights; /* 1: curves with or without weights; 0: only curves without */
 } ew_mix;
 
