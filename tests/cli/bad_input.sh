@@ -8,9 +8,17 @@ cases=0
 enters bad_input
 mkdir out
 
-# scene MEMBERS: writes scene.json, a valid scene to which MEMBERS are added.
-scene() {
+# world_scene MEMBERS: writes scene.json, a valid scene of the world integral to which MEMBERS are added.
+world_scene() {
     printf '{ "camera": { "eye": [0, 0, 8], "target": [0, 0, 0] }, %s }\n' "$1" > scene.json
+}
+
+# scene MEMBERS: writes scene.json, a valid scene of the papers' integral to which MEMBERS are added.
+scene() {
+    case $1 in
+    *'"interval"'*) world_scene "$1" ;;
+    *) world_scene "\"interval\": { \"start\": 3, \"end\": 15 }, $1" ;;
+    esac
 }
 
 # refuses PLACE ARGUMENT...: expects ew-render to refuse these arguments and to name PLACE, a basic regular expression.

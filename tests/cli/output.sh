@@ -62,7 +62,8 @@ is 'the PFM header' "PF 40 20 -1.0" "$(head -n 3 out/box.pfm | tr '\n' ' ' | sed
 
 # The luminance of a point is largest at the point, the same to its left and right, and independent of other outputs.
 cat > point.json << 'JSON'
-{ "camera": { "eye": [0, 0, 8], "target": [0, 0, 0] }, "points": [{ "position": [0, 0, 0] }] }
+{ "camera": { "eye": [0, 0, 8], "target": [0, 0, 0] }, "interval": { "start": 0.1, "end": 100 },
+  "points": [{ "position": [0, 0, 0] }] }
 JSON
 renders point.json --luminance out/point.pfm --size 41x21
 is 'the size of a luminance' '41 21 1' "$("$probe" size out/point.pfm)"
