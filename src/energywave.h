@@ -143,8 +143,8 @@ EW_API const char *ew_result_text(ew_result result);
 typedef struct ew_point {
     double position[3];
     double coefficient;
-    double brightness;
     double color[3];
+    double brightness;
     double core;
     double reach;
     double sharpness;
@@ -156,8 +156,8 @@ typedef struct ew_line {
     double position[3];
     double direction[3];
     double coefficient;
-    double brightness;
     double color[3];
+    double brightness;
     double core;
     double reach;
     double sharpness;
@@ -170,8 +170,8 @@ typedef struct ew_torus {
     double axis[3];
     double radius;
     double coefficient;
-    double brightness;
     double color[3];
+    double brightness;
     double core;
     double reach;
     double sharpness;
@@ -191,8 +191,8 @@ typedef struct ew_curve {
     const double *weights;
     size_t weight_count;
     double coefficient;
-    double brightness;
     double color[3];
+    double brightness;
     double core;
     double reach;
     double sharpness;
@@ -230,8 +230,8 @@ typedef struct ew_path {
     const double *weights;
     size_t weight_count;
     double coefficient;
-    double brightness;
     double color[3];
+    double brightness;
     double core;
     double reach;
     double sharpness;
@@ -256,9 +256,9 @@ typedef struct ew_sources_desc {
     size_t torus_count;
     const ew_curve *curves;
     size_t curve_count;
+    double epsilon;
     const ew_path *paths;
     size_t path_count;
-    double epsilon;
 } ew_sources_desc;
 
 /* ---- Effect ------------------------------------------------------------------------------------------------------------- */
@@ -495,8 +495,8 @@ typedef struct ew_mix {
     size_t line_count;
     size_t torus_count;
     size_t curve_count;
+    int has_weights; /* 1: curves and paths with or without weights; 0: only without */
     size_t path_count;
-    int has_weights;   /* 1: curves and paths with or without weights; 0: only without */
     int has_reach;     /* 1: sources that may have a reach or a core of their own; 0: none has. 1 for the world integral */
     int has_sharpness; /* 1: sources with or without sharpness; 0: only without */
 } ew_mix;

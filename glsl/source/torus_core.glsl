@@ -102,11 +102,28 @@ float ew_torus_edge_of_reach(ew_torus_side side, float reach2, float inner, floa
     return inner + way * sqrt(max(edge, 0.0));
 }
 
-// The part of a side that is within reach. The distance is taken to fall up to ew_nearest_to_torus and to grow from there on.
+// The place nearest to the torus, by Newton's method from ew_nearest_to_torus on: where the reach is grazed, that is not close
+// enough. With d the distance, p from_axis and q = d(from_axis) / dx, (d^2)' / 2 = (p - radius) q + height height_slope.
+float ew_refine_nearest_to_torus(ew_torus_side side)
+{
+    float x = ew_nearest_to_torus(side);
+    int step = 0;
+    do {
+        float from_axis = sqrt(max(side.from_axis2 + x * (2.0 * side.outward + side.across2 * x), 1e-30));
+        float q = (side.outward + side.across2 * x) / from_axis;
+        float beyond_radius = from_axis - side.radius;
+        float slope = beyond_radius * q + (side.height + side.height_slope * x) * side.height_slope;
+        float curvature = q * q + beyond_radius * (side.across2 - q * q) / from_axis + side.height_slope * side.height_slope;
+        x = clamp(x - slope / max(curvature, 0.1 * (side.across2 + side.height_slope * side.height_slope)), 0.0, side.end);
+    } while (++step < 4);
+    return x;
+}
+
+// The part of a side that is within reach. The distance is taken to fall up to its nearest place and to grow from there on.
 ew_torus_side ew_clip_torus_side(ew_torus_side side)
 {
     float reach2 = side.glow.y * side.glow.y;
-    float nearest = ew_nearest_to_torus(side);
+    float nearest = ew_refine_nearest_to_torus(side);
     bool is_in_at_cut = ew_torus_distance_squared(side, 0.0) < reach2;
     bool is_in_at_nearest = ew_torus_distance_squared(side, nearest) < reach2;
     bool is_in_at_end = ew_torus_distance_squared(side, side.end) < reach2;

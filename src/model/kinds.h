@@ -22,8 +22,8 @@ typedef struct ew_source_name {
 /* The members with which the structure of every kind ends. */
 typedef struct ew_emission {
     double coefficient;
-    double brightness;
     double color[3];
+    double brightness;
     double core;
     double reach;
     double sharpness;

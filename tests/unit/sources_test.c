@@ -23,9 +23,9 @@ static void make_field(field *f)
 {
     *f = (field){.weights = {1, 0.2, 0.6, 1}};
     for (int i = 0; i < 2; ++i) {
-        f->points[i] = (ew_point){{1, 2, 3}, 1, {1, 1, 1}};
-        f->lines[i] = (ew_line){{1, 2, 3}, {0, 0, 5}, 1, {1, 1, 1}};
-        f->tori[i] = (ew_torus){{1, 2, 3}, {0, 2, 0}, 0.9, 5.1, {1, 1, 1}};
+        f->points[i] = (ew_point){.position = {1, 2, 3}, .coefficient = 1, .color = {1, 1, 1}};
+        f->lines[i] = (ew_line){.position = {1, 2, 3}, .direction = {0, 0, 5}, .coefficient = 1, .color = {1, 1, 1}};
+        f->tori[i] = (ew_torus){.center = {1, 2, 3}, .axis = {0, 2, 0}, .radius = 0.9, .coefficient = 5.1, .color = {1, 1, 1}};
         f->curves[i] = (ew_curve){.polynomial = {{1, 2, 3}, {4, 5, 6}, {7, 8, 9}},
                                   .domain = {-2, 2},
                                   .weights = f->weights,
