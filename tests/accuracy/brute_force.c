@@ -179,7 +179,7 @@ static long double brute_force_integrand(const brute_force *f, long double s)
     for (int i = 0; i < 3; i++)
         p[i] = ray->start[i] + s * ((long double)ray->end[i] - ray->start[i]);
     long double distance = distances[f->kind](source, p, &weight);
-    return source_coefficient(kind, source) * weight / fmaxl(f->sources->epsilon, distance) * ray->decay_alpha /
+    return source_light_of(kind, source).coefficient * weight / fmaxl(f->sources->epsilon, distance) * ray->decay_alpha /
            (s_plus_beta * s_plus_beta);
 }
 

@@ -70,7 +70,15 @@ void make_field(field *f, size_t points, size_t lines, size_t tori, size_t curve
                                   .coefficient = 0.1,
                                   .color = {1, 1, 0.1 * i}};
     }
-    f->desc = (ew_sources_desc){f->points, points, f->lines, lines, f->tori, tori, f->curves, curves, 0.02};
+    f->desc = (ew_sources_desc){.points = f->points,
+                                .point_count = points,
+                                .lines = f->lines,
+                                .line_count = lines,
+                                .tori = f->tori,
+                                .torus_count = tori,
+                                .curves = f->curves,
+                                .curve_count = curves,
+                                .epsilon = 0.02};
 }
 
 double picture_difference(const picture *actual, const picture *expected)

@@ -49,3 +49,13 @@ void maker_write_vector(scene_maker *maker, const char *key, const double vector
 {
     fprintf(maker->file, "\"%s\": [%.17g, %.17g, %.17g], ", key, vector[0], vector[1], vector[2]);
 }
+
+void maker_write_weights(scene_maker *maker)
+{
+    static const int counts[] = {1, 2, 3, 4, 5, 7, 16, 64};
+    int count = counts[random_index(&maker->random, sizeof counts / sizeof *counts)];
+    fputs("\"weights\": [", maker->file);
+    for (int i = 0; i < count; i++)
+        fprintf(maker->file, "%s%.3g", i ? ", " : "", maker_chance(maker, 0.2) ? 0 : maker_between(maker, 0, 1));
+    fputs("], ", maker->file);
+}

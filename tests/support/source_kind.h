@@ -15,6 +15,16 @@
 
 enum { MAX_SOURCE_DIRECTIONS = 2, MAX_SOURCE_RUNS = 5 };
 
+/* The members with which a source of any kind ends. */
+typedef struct source_light {
+    double coefficient;
+    double brightness;
+    double color[3];
+    double core;
+    double reach;
+    double sharpness;
+} source_light;
+
 /* What a camera sees of a scene. */
 typedef struct source_view {
     double middle[3]; /* the place in the middle of the interval, on the view's axis */
@@ -41,7 +51,11 @@ typedef struct source_kind {
     size_t position_offset;
     size_t direction_offsets[MAX_SOURCE_DIRECTIONS];
     size_t direction_count;
-    size_t coefficient_offset;
+    size_t light_offset;
+    /* Where a source has a list of points instead, each of which moves and turns with the world. */
+    bool has_points;
+    size_t points_offset;
+    size_t point_count_offset;
 
     /* Its light has a closed form, so the shader evaluates the distance once. */
     bool has_closed_form;
@@ -52,6 +66,8 @@ typedef struct source_kind {
     bool has_axis;
     /* Shifted along its axis, the source stays the same. */
     bool is_endless;
+    /* How far from its position the source extends at the most. NULL: not at all, but along its axis if it is endless. */
+    double (*extent)(const void *source);
     nearest_point (*nearest)(const reference_source *source, const double point[3]);
     /* The weight at a nearest point. NULL: the source has no weights. */
     reference_weighting (*weigh)(const reference_source *source, const nearest_point *nearest);
@@ -80,11 +96,11 @@ typedef struct source_kind {
     size_t (*numbers)(void *source, number_run runs[MAX_SOURCE_RUNS]);
 } source_kind;
 
-/* The part of a row that says where things are: of the kind with sources of `type`, which have a `coefficient`, whose count in
- * ew_sources_desc and ew_mix has the same name. */
+/* The part of a row that says where things are: of the kind with sources of `type`, whose count in ew_sources_desc and ew_mix
+ * has the same name. */
 #define SOURCE_KIND_LAYOUT(type, list, count, position)                                                                        \
     .size = sizeof(type), .list_offset = offsetof(ew_sources_desc, list), .count_offset = offsetof(ew_sources_desc, count),    \
     .mix_count_offset = offsetof(ew_mix, count), .position_offset = offsetof(type, position),                                  \
-    .coefficient_offset = offsetof(type, coefficient)
+    .light_offset = offsetof(type, coefficient)
 
 #endif

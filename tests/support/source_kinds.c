@@ -52,9 +52,23 @@ const double *source_direction(const source_kind *kind, const void *source, size
     return number_at(source, kind->direction_offsets[index]);
 }
 
-double source_coefficient(const source_kind *kind, const void *source)
+source_light source_light_of(const source_kind *kind, const void *source)
 {
-    return *number_at(source, kind->coefficient_offset);
+    source_light light;
+    memcpy(&light, number_at(source, kind->light_offset), sizeof light);
+    return light;
+}
+
+static double (*points_of(const source_kind *kind, const void *source))[3]
+{
+    double(*points)[3];
+    memcpy(&points, (const char *)source + kind->points_offset, sizeof points);
+    return points;
+}
+
+static size_t point_count_of(const source_kind *kind, const void *source)
+{
+    return *(const size_t *)(const void *)((const char *)source + kind->point_count_offset);
 }
 
 /* ---- Writing ------------------------------------------------------------------------------------------------------------ */
@@ -81,11 +95,30 @@ void change_sources(ew_sources_desc *sources, vector_change *position, vector_ch
         for (size_t i = 0; i < source_count(kind, sources); i++) {
             /* The library's lists are lists of constants; these are the caller's. */
             const void *source = source_at(kind, sources, i);
-            if (position) position(user, (double *)source_position(kind, source));
+            if (position && kind->has_points)
+                for (size_t j = 0; j < point_count_of(kind, source); j++)
+                    position(user, points_of(kind, source)[j]);
+            else if (position)
+                position(user, (double *)source_position(kind, source));
             for (size_t j = 0; direction && j < kind->direction_count; j++)
                 direction(user, (double *)source_direction(kind, source, j));
         }
     }
+}
+
+/* Gives each source of a copied list its own points. On failure some have none. */
+static bool copy_points(const source_kind *kind, ew_sources_desc *copy)
+{
+    bool ok = true;
+    for (size_t i = 0; kind->has_points && i < source_count(kind, copy); i++) {
+        char *source = (char *)source_list(kind, copy) + i * kind->size;
+        size_t size = point_count_of(kind, source) * sizeof(double[3]);
+        void *points = malloc(size + 1);
+        if (points) memcpy(points, points_of(kind, source), size);
+        memcpy(source + kind->points_offset, &points, sizeof points);
+        ok = ok && points;
+    }
+    return ok;
 }
 
 bool copy_source_lists(const ew_sources_desc *sources, ew_sources_desc *copy)
@@ -98,7 +131,7 @@ bool copy_source_lists(const ew_sources_desc *sources, ew_sources_desc *copy)
         void *list = malloc(size + 1);
         if (list && size > 0) memcpy(list, source_list(kind, sources), size);
         set_source_list(kind, copy, list);
-        ok = ok && list;
+        ok = list && copy_points(kind, copy) && ok;
     }
     if (!ok) free_source_lists(copy);
     return ok;
@@ -106,6 +139,11 @@ bool copy_source_lists(const ew_sources_desc *sources, ew_sources_desc *copy)
 
 void free_source_lists(ew_sources_desc *copy)
 {
-    for (int k = 0; k < SOURCE_KIND_COUNT; k++)
-        free((void *)source_list(source_kinds[k], copy));
+    for (int k = 0; k < SOURCE_KIND_COUNT; k++) {
+        const source_kind *kind = source_kinds[k];
+        const void *list = source_list(kind, copy);
+        for (size_t i = 0; list && kind->has_points && i < source_count(kind, copy); i++)
+            free(points_of(kind, source_at(kind, copy, i)));
+        free((void *)list);
+    }
 }

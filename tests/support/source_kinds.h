@@ -12,7 +12,8 @@
     X(POINT, point)                                                                                                            \
     X(LINE, line)                                                                                                              \
     X(TORUS, torus)                                                                                                            \
-    X(CURVE, curve)
+    X(CURVE, curve)                                                                                                            \
+    X(PATH, path)
 
 enum {
 #define KIND_INDEX(NAME, name) KIND_##NAME,
@@ -32,7 +33,7 @@ size_t source_count_of_all_kinds(const ew_sources_desc *sources);
 const void *source_at(const source_kind *kind, const ew_sources_desc *sources, size_t index);
 const double *source_position(const source_kind *kind, const void *source);
 const double *source_direction(const source_kind *kind, const void *source, size_t index);
-double source_coefficient(const source_kind *kind, const void *source);
+source_light source_light_of(const source_kind *kind, const void *source);
 
 void set_source_list(const source_kind *kind, ew_sources_desc *sources, const void *list);
 void set_source_count(const source_kind *kind, ew_sources_desc *sources, size_t count);
@@ -42,7 +43,8 @@ void set_mix_count(const source_kind *kind, ew_mix *mix, size_t count);
 typedef void vector_change(const void *user, double vector[3]);
 void change_sources(ew_sources_desc *sources, vector_change *position, vector_change *direction, const void *user);
 
-/* Copies the lists, but not the weights that curves point to. Returns false, and nothing to free, where memory is exhausted. */
+/* Copies the lists and the points that paths point to, but not the weights. Returns false, and nothing to free, where memory is
+ * exhausted. */
 bool copy_source_lists(const ew_sources_desc *sources, ew_sources_desc *copy);
 void free_source_lists(ew_sources_desc *copy);
 

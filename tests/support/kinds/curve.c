@@ -9,6 +9,14 @@ enum { SEED_COUNT = 9 };
 
 /* ---- The reference ------------------------------------------------------------------------------------------------------ */
 
+/* From C0. */
+static double extent(const void *source)
+{
+    const ew_curve *curve = source;
+    double t = fmax(fabs(curve->domain[0]), fabs(curve->domain[1]));
+    return t * (vector_length(curve->polynomial[1]) + t * vector_length(curve->polynomial[2]));
+}
+
 static nearest_point nearest(const reference_source *source, const double point[3])
 {
     double from[3];
@@ -111,16 +119,6 @@ static void random_arc(scene_maker *maker, double polynomial[3][3], double domai
     bezier(points, polynomial, domain);
 }
 
-static void write_weights(scene_maker *maker)
-{
-    static const int counts[] = {1, 2, 3, 4, 5, 7, 16, 64};
-    int count = counts[random_index(&maker->random, sizeof counts / sizeof *counts)];
-    fputs("\"weights\": [", maker->file);
-    for (int i = 0; i < count; i++)
-        fprintf(maker->file, "%s%.3g", i ? ", " : "", maker_chance(maker, 0.2) ? 0 : maker_between(maker, 0, 1));
-    fputs("], ", maker->file);
-}
-
 static void write(scene_maker *maker, bool first, bool weighted)
 {
     double polynomial[3][3], domain[2], position[3];
@@ -135,7 +133,7 @@ static void write(scene_maker *maker, bool first, bool weighted)
         fprintf(maker->file, "[%.17g, %.17g, %.17g]%s", polynomial[i][0], polynomial[i][1], polynomial[i][2],
                 i < 2 ? ", " : "");
     fprintf(maker->file, "], \"domain\": [%.17g, %.17g], ", domain[0], domain[1]);
-    if (weighted) write_weights(maker);
+    if (weighted) maker_write_weights(maker);
 }
 
 /* ---- Hostile input ------------------------------------------------------------------------------------------------------ */
@@ -202,6 +200,7 @@ const source_kind curve_kind = {
     SOURCE_KIND_LAYOUT(ew_curve, curves, curve_count, polynomial[0]),
     .direction_offsets = {offsetof(ew_curve, polynomial[1]), offsetof(ew_curve, polynomial[2])},
     .direction_count = 2,
+    .extent = extent,
     .nearest = nearest,
     .weigh = weigh,
     .seed = seed,

@@ -13,6 +13,12 @@ static double radius_of(const reference_source *source)
     return torus->radius;
 }
 
+static double extent(const void *source)
+{
+    const ew_torus *torus = source;
+    return torus->radius;
+}
+
 static nearest_point nearest(const reference_source *source, const double point[3])
 {
     nearest_point result = {0};
@@ -111,6 +117,7 @@ const source_kind torus_kind = {
     .direction_offsets = {offsetof(ew_torus, axis)},
     .direction_count = 1,
     .has_axis = true,
+    .extent = extent,
     .nearest = nearest,
     .seed = seed,
     .seed_count = SEED_COUNT,

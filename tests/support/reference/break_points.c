@@ -136,8 +136,8 @@ static void add_known_break_points(break_point_search *search, const integrand *
     const source_kind *kind = f->source.kind;
     double x;
     /* The decay's own singularity is at s = -beta. */
-    for (double s_plus_beta = 4 * f->beta; s_plus_beta < end + f->beta; s_plus_beta *= 4)
-        add_break_point(search, s_plus_beta - f->beta, end);
+    for (double s_plus_beta = 4 * f->beta; !f->is_world && s_plus_beta < f->origin_s + end + f->beta; s_plus_beta *= 4)
+        add_break_point(search, s_plus_beta - f->beta - f->origin_s, end);
     if (kind->kink && kind->kink(&f->source, f->direction, &x)) add_break_point(search, x, end);
 }
 
@@ -153,11 +153,12 @@ static double estimate_integral(const break_point_search *search)
 
 /* Adds a break point at every change of label between two samples. What a misplaced one costs is the product of its error
  * and the jump, or the product of its error's square and the change of slope: bisection ends soon for a kink, late for a jump.
- * Between two samples that are dark there may be light. `estimate` is about the integral's value. */
+ * Between two samples whose weights are 0 there may be light, but not between two beyond the reach. `estimate` is about the
+ * integral's value. */
 static void find_changes(break_point_search *search, const integrand *f, integrand_sample low, integrand_sample high,
                          double end, double estimate)
 {
-    if (low.label == high.label) return;
+    if (low.label == high.label || (low.is_dark && high.is_dark)) return;
     double width = high.x - low.x;
     if ((width * fabs(high.value - low.value) <= 1e-13 * estimate && width * high.most <= 1e-7 * estimate) ||
         width <= 1e-15 * end) {
@@ -179,12 +180,19 @@ static void finish(break_point_search *search, integrand *f, double end)
     for (size_t i = 1; i < search->sample_count; i++)
         if (search->samples[i].distance < search->samples[closest].distance) closest = i;
     double origin = search->samples[closest].x;
-    integrand_set_origin(f, origin);
+    integrand_set_origin(f, f->origin_s + origin);
     search->break_points[search->break_point_count++] = 0;
     search->break_points[search->break_point_count++] = end;
     for (size_t i = 0; i < search->break_point_count; i++)
         search->break_points[i] -= origin;
     sort_numbers(search->break_points, search->break_point_count);
+}
+
+static bool is_dark(const break_point_search *search)
+{
+    for (size_t i = 0; i < search->sample_count; i++)
+        if (!search->samples[i].is_dark) return false;
+    return true;
 }
 
 void break_points_find(break_point_search *search, integrand *f, double end)
@@ -194,6 +202,8 @@ void break_points_find(break_point_search *search, integrand *f, double end)
         add_sample(search, f, end * i / (UNIFORM_SAMPLES - 1), end);
     add_seeds(search, f, end);
     find_peaks(search, f, end);
+    /* The closest approaches are among the samples. */
+    if (is_dark(search)) return;
     sample_between_peaks(search, f, end);
 
     add_known_break_points(search, f, end);

@@ -2,9 +2,9 @@
  * Where to divide a ray so that on each part the integrand of a source is smooth.
  *
  * It has peaks as narrow as the core (closest approaches), kinks (the nearest point enters or leaves an end of the arc, or a
- * knot; the ray enters or leaves the core) and jumps (the nearest point leaps between the branches of a weighted curve). All
- * are looked for by sampling along the ray and narrowed down by bisection, and become break points, with further ones in
- * geometric progression around every peak. What the search misses, the error estimates of the quadrature see.
+ * knot; the ray enters or leaves the core or the reach) and jumps (the nearest point leaps between the branches of a weighted
+ * curve). All are looked for by sampling along the ray and narrowed down by bisection, and become break points, with further
+ * ones in geometric progression around every peak. What the search misses, the error estimates of the quadrature see.
  */
 #ifndef BREAK_POINTS_H
 #define BREAK_POINTS_H
@@ -27,8 +27,9 @@ typedef struct break_point_search {
     size_t break_point_count;
 } break_point_search;
 
-/* Fills the search's break points, with those at s = 0 and s = `end` > 0 among them, sorted. Moves the integrand's origin to
- * the narrowest peak and measures the break points from there. */
+/* Fills the search's break points on the part of the ray that begins at the integrand's origin and is `end` > 0 long in s, its
+ * ends among them, sorted. Moves the origin to the narrowest peak and measures the break points from there. There are none
+ * where all of the part is beyond the source's reach. */
 void break_points_find(break_point_search *search, integrand *f, double end);
 
 #endif

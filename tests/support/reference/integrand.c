@@ -15,14 +15,18 @@ static void set_axis(integrand *f, const double axis[3])
     }
 }
 
-integrand integrand_make(const source_kind *kind, const void *source, const reference_ray *ray, double epsilon)
+integrand integrand_make(const source_kind *kind, const void *source, const integrand_light *light, const reference_ray *ray)
 {
     integrand f = {
         .source = {.kind = kind, .desc = source},
-        .coefficient = source_coefficient(kind, source),
+        .coefficient = light->coefficient,
+        .is_world = ray->is_world,
         .alpha = ray->decay_alpha,
         .beta = ray->decay_beta,
-        .epsilon = epsilon,
+        .core = light->core,
+        .reach = light->reach,
+        .least_core = ray->least_core[0],
+        .least_core_slope = ray->least_core[1] - ray->least_core[0],
     };
     const double *position = source_position(kind, source);
     for (int i = 0; i < 3; i++) {
@@ -49,6 +53,69 @@ void integrand_set_origin(integrand *f, double origin_s)
     f->origin_s = origin_s;
 }
 
+/* ---- The reach ---------------------------------------------------------------------------------------------------------- */
+
+/* Where the ray enters and leaves the ball of `radius` about the position or, of an endless source, the cylinder. */
+static bool limit_to_ball(const integrand *f, long double radius, double *low, double *high)
+{
+    long double length_square = 0, square = 0, along = 0, from_square = 0, direction_axis = 0, position_axis = 0;
+    for (int i = 0; f->source.kind->is_endless && i < 3; i++) {
+        direction_axis += f->exact_direction[i] * f->exact_axis[i];
+        position_axis += f->position_from_start[i] * f->exact_axis[i];
+    }
+    long double direction[3], position[3];
+    for (int i = 0; i < 3; i++) {
+        direction[i] = f->exact_direction[i] - direction_axis * f->exact_axis[i];
+        position[i] = f->position_from_start[i] - position_axis * f->exact_axis[i];
+        length_square += f->exact_direction[i] * f->exact_direction[i];
+        square += direction[i] * direction[i];
+        along += direction[i] * position[i];
+    }
+    /* The axis and the ray's direction are doubles: at a smaller angle they are parallel but for rounding. */
+    bool is_parallel = square <= 1e-32L * length_square;
+    long double middle = is_parallel ? 0 : along / square;
+    for (int i = 0; i < 3; i++)
+        from_square += powl(position[i] - middle * direction[i], 2);
+    if (from_square >= radius * radius) return false;
+    if (is_parallel) return *low < *high;
+    long double half = sqrtl((radius * radius - from_square) / square);
+    *low = fmax(*low, (double)(middle - half));
+    *high = fmin(*high, (double)(middle + half));
+    return *low < *high;
+}
+
+/* Where pixels are wider than the reach, the core is, too. They grow with s, or not at all. */
+static bool limit_to_narrow_pixels(const integrand *f, double *high)
+{
+    double widest = sqrt((f->reach - f->core) * (f->reach + f->core));
+    if (f->least_core_slope > 0) *high = fmin(*high, (widest - f->least_core) / f->least_core_slope);
+    return f->least_core_slope > 0 || f->least_core < widest;
+}
+
+bool integrand_limit(const integrand *f, double *low, double *high)
+{
+    const source_kind *kind = f->source.kind;
+    double extent = kind->extent ? kind->extent(f->source.desc) : 0;
+    if (f->reach == HUGE_VAL) return *low < *high;
+    return limit_to_narrow_pixels(f, high) && limit_to_ball(f, (long double)f->reach + extent, low, high);
+}
+
+/* ---- The value ---------------------------------------------------------------------------------------------------------- */
+
+/* The core's radius, at least that of the pixels it is seen by. */
+static double core_at(const integrand *f, double x)
+{
+    double least = f->least_core + (f->origin_s + x) * f->least_core_slope;
+    return least > 0 ? hypot(f->core, least) : f->core;
+}
+
+/* The field times the decay or, in the world integral, times dx / ds. */
+static double times_decay(const integrand *f, double field, double x)
+{
+    double s_plus_beta = f->origin_s + x + f->beta;
+    return f->is_world ? field * vector_length(f->direction) : field * f->alpha / (s_plus_beta * s_plus_beta);
+}
+
 static nearest_point nearest_at(const integrand *f, double x)
 {
     double point[3];
@@ -63,10 +130,10 @@ integrand_sample integrand_at(const integrand *f, double x)
     nearest_point nearest = nearest_at(f, x);
     reference_weighting weighting = {.weight = 1, .largest = 1};
     if (kind->weigh) weighting = kind->weigh(&f->source, &nearest);
-    bool inside_core = nearest.distance < f->epsilon;
-    double s_plus_beta = f->origin_s + x + f->beta;
-    double distance = fmax(f->epsilon, nearest.distance);
-    double unweighted = f->coefficient / distance * f->alpha / (s_plus_beta * s_plus_beta);
+    double core = core_at(f, x), distance = fmax(core, nearest.distance);
+    bool inside_core = nearest.distance < core, is_dark = distance >= f->reach;
+    double field = is_dark ? 0 : f->coefficient / distance - f->coefficient / f->reach;
+    double unweighted = times_decay(f, field, x);
     double slope = vector_dot(f->direction, nearest.offset);
     double noise = 1e-9 * vector_length(f->direction) * nearest.distance;
     return (integrand_sample){
@@ -77,7 +144,8 @@ integrand_sample integrand_at(const integrand *f, double x)
         .distance = distance,
         .value = weighting.weight * unweighted,
         .most = weighting.largest * unweighted,
-        .label = (weighting.span * 8 + nearest.piece) * 2 + inside_core,
+        .is_dark = is_dark,
+        .label = ((weighting.span * 8 + nearest.piece) * 2 + inside_core) * 2 + is_dark,
     };
 }
 

@@ -17,21 +17,37 @@ typedef struct integrand {
     long double exact_axis[3];
     long double exact_direction[3];
     double origin_s;
-    double alpha, beta, epsilon;
+    bool is_world;
+    double alpha, beta;      /* of the papers' integral */
+    double core, reach;      /* HUGE_VAL for no reach */
+    double least_core;       /* at the start of the ray, */
+    double least_core_slope; /* and by how much it grows with s */
 } integrand;
+
+/* What of a source does not follow from its kind. */
+typedef struct integrand_light {
+    double coefficient;
+    double core;
+    double reach; /* HUGE_VAL for none */
+} integrand_light;
 
 typedef struct integrand_sample {
     double x;
     double slope;    /* sign of the derivative of the distance by x; 0 where that may be noise */
-    double distance; /* not below epsilon */
+    double distance; /* not below the core's radius */
     double value;    /* of the integrand */
     double most;     /* what the value would be with the source's largest weight */
+    bool is_dark;    /* beyond the reach */
     int label;       /* changes at every kink and jump */
 } integrand_sample;
 
 /* The origin is where the ray starts. */
-integrand integrand_make(const source_kind *kind, const void *source, const reference_ray *ray, double epsilon);
+integrand integrand_make(const source_kind *kind, const void *source, const integrand_light *light, const reference_ray *ray);
 void integrand_set_origin(integrand *f, double origin_s);
+
+/* Narrows the part of the ray from s = low to s = high to where the source's reach may extend. Returns false if nothing is
+ * left. */
+bool integrand_limit(const integrand *f, double *low, double *high);
 
 integrand_sample integrand_at(const integrand *f, double x);
 

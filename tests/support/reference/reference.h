@@ -12,14 +12,19 @@
 /* A reference value counts as reliable while its error is at most this share of it. */
 #define REFERENCE_RELATIVE_ERROR 1e-7
 
-/* L(s) = start + s (end - start), s from 0 to s_max <= 1, in the sources' space. Coordinates near the origin keep the most
- * digits: for a camera far from it, move sources and ray so that the eye is at the origin. */
+/* L(s) = start + s (end - start), s from 0 to s_max, in the sources' space. Coordinates near the origin keep the most digits:
+ * for a camera far from it, move sources and ray so that the eye is at the origin.
+ *
+ * In the papers' integral, start and end are S and E, and s_max <= 1. In the world integral, start is the eye, or the near
+ * plane of a parallel projection; end is any other point of the ray; and s_max may be HUGE_VAL. */
 typedef struct reference_ray {
     double start[3];
     double end[3];
     double s_max;
-    double decay_alpha;
+    bool is_world;
+    double decay_alpha; /* of the papers' integral, as beta */
     double decay_beta;
+    double least_core[2]; /* half of `core_pixels` pixels, in world units, at s = 0 and at s = 1 */
 } reference_ray;
 
 /* A luminance and a bound of its absolute error. */
@@ -36,7 +41,8 @@ reference_workspace *reference_create_workspace(void);
 void reference_destroy_workspace(reference_workspace *workspace);
 
 /* Computes the luminance of the sources together, and in `shares` (NULL for none) that of each source, kind by kind in the
- * order of source_kinds.h. Returns whether the sum's error is within REFERENCE_RELATIVE_ERROR. */
+ * order of source_kinds.h. Returns whether the sum's error is within REFERENCE_RELATIVE_ERROR. In the world integral each
+ * source has a reach; where a line runs along the ray and nothing ends its light, the error is infinite. */
 bool reference_luminance(reference_workspace *workspace, const ew_sources_desc *sources, const reference_ray *ray,
                          reference_value *sum, reference_value *shares);
 

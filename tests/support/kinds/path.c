@@ -1,0 +1,86 @@
+/* Paths: see source_kind.h. */
+#include "path_parts.h"
+#include "random_numbers.h"
+#include "source_kinds.h"
+#include "vector.h"
+
+#include <string.h>
+
+/* ---- Random scenes ------------------------------------------------------------------------------------------------------ */
+
+enum { MAX_POINTS = 31 };
+
+static void place(const void *source, const source_view *view, double u, double result[3])
+{
+    const ew_path *path = source;
+    size_t count = path_span_count(path), span = (size_t)(u * (double)count);
+    double cubic[4][3];
+    (void)view;
+    if (span >= count) span = count - 1;
+    path_span(path, span, cubic);
+    double t = u * (double)count - (double)span, s = 1 - t;
+    for (int i = 0; i < 3; i++)
+        result[i] =
+            s * s * s * cubic[0][i] + 3 * s * s * t * cubic[1][i] + 3 * s * t * t * cubic[2][i] + t * t * t * cubic[3][i];
+}
+
+/* Steps of about the same length, some of them none, back to where the one before came from, or straight on. */
+static void random_points(scene_maker *maker, double extent, double points[][3], size_t count)
+{
+    double step[3] = {0};
+    for (size_t i = 0; i < count; i++) {
+        double choice = maker_between(maker, 0, 1), previous[3];
+        vector_copy(step, previous);
+        maker_offset(maker, extent, step);
+        for (int k = 0; k < 3 && i > 1; k++)
+            step[k] = choice < 0.04 ? 0 : choice < 0.08 ? -previous[k] : choice < 0.16 ? previous[k] : step[k];
+        for (int k = 0; k < 3; k++)
+            points[i][k] = i == 0 ? 0 : points[i - 1][k] + step[k];
+    }
+}
+
+static size_t random_point_count(scene_maker *maker, ew_path_kind kind, bool is_closed)
+{
+    size_t count = 2 + random_index(&maker->random, maker_chance(maker, 0.1) ? 24 : 6);
+    if (kind == EW_PATH_BEZIER) return 1 + 3 * (1 + count % 3);
+    return count == 2 && (is_closed || kind == EW_PATH_BSPLINE) ? 3 : count;
+}
+
+static void write_path(scene_maker *maker, const ew_path *path)
+{
+    static const char *const names[] = {"polyline", "bspline", "bezier", "catmull_rom"};
+    fprintf(maker->file, "\"kind\": \"%s\", \"points\": [", names[path->kind]);
+    for (size_t i = 0; i < path->point_count; i++)
+        fprintf(maker->file, "%s[%.17g, %.17g, %.17g]", i ? ", " : "", path->points[i][0], path->points[i][1],
+                path->points[i][2]);
+    fprintf(maker->file, "], %s", path->is_closed ? "\"closed\": true, " : "");
+}
+
+static void write(scene_maker *maker, bool first, bool weighted)
+{
+    double points[MAX_POINTS][3], position[3], on_path[3];
+    ew_path path = {.kind = (ew_path_kind)random_index(&maker->random, 4), .points = (const double(*)[3])points};
+    path.is_closed = maker_chance(maker, 0.3) && path.kind != EW_PATH_BEZIER;
+    path.point_count = random_point_count(maker, path.kind, path.is_closed);
+    random_points(maker, maker_source_extent(maker), points, path.point_count);
+    maker_source_place(maker, first, position);
+    /* Joints and ends are looked at more often than their share. */
+    double u = maker_between(maker, 0, 1), spans = (double)path_span_count(&path);
+    place(&path, NULL, maker_chance(maker, 0.3) ? round(u * spans) / spans : u, on_path);
+    for (size_t i = 0; i < path.point_count; i++)
+        for (int k = 0; k < 3; k++)
+            points[i][k] += position[k] - on_path[k];
+    write_path(maker, &path);
+    if (weighted) maker_write_weights(maker);
+}
+
+const source_kind path_kind = {
+    .name = "path",
+    .list_name = "paths",
+    SOURCE_KIND_LAYOUT(ew_path, paths, path_count, points),
+    .has_points = true,
+    .points_offset = offsetof(ew_path, points),
+    .point_count_offset = offsetof(ew_path, point_count),
+    .place = place,
+    .write = write,
+};
