@@ -68,7 +68,8 @@ refuses_text 'line 1, column [0-9]*' '{ "epsilon": 1e999 }'
 refuses_text 'line 1, column [0-9]*' '{ "epsilon": 1, "epsilon": 2 }'
 # shellcheck disable=SC2059 # a byte order mark, and zeros
 printf '\377\376{\0}\0' > scene.json
-refuses 'scene\.json: is UTF-16 text' scene.json -o out/picture.png
+refuses 'scene\.json' scene.json -o out/picture.png
+grep -q UTF-16 stderr || complain "UTF-16 is not named: $(cat stderr)"
 printf '[1, 2]' > scene.json
 refuses 'scene\.json' scene.json -o out/picture.png
 

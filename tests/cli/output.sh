@@ -98,6 +98,7 @@ fi
 # Each composite draws, and light that is exposed more is brighter.
 cat > world.json << 'JSON'
 { "camera": { "eye": [0, 0, 8], "target": [0, 0, 0] }, "background": [0.1, 0.1, 0.1], "composite": "soft", "exposure": 1,
+  "core_pixels": 0,
   "points": [{ "position": [0, 0, 0], "core": 0.1, "reach": 2, "brightness": 0.5, "color": [1, 1, 1] }],
   "paths": [{ "points": [[-3, 1, 0], [3, 1, 0]], "core": 0.05, "reach": 1, "brightness": 0.5, "sharpness": 2 }] }
 JSON
@@ -108,17 +109,22 @@ for composite in lerp add; do
     sed "s/soft/$composite/" world.json > $composite.json
     renders $composite.json -o out/$composite.pfm --size 41x21
 done
-# At the middle of the orb B is close to its brightness of 0.5, and the light is white.
+# Through the middle of the orb B is its brightness, and the light is white.
 for picture in soft bright lerp add; do
     "$probe" pixel out/$picture.pfm 20 10
 done | awk '{ c[NR] = $1 } END {
     b = c[4] - 0.1
-    if (b < 0.4 || b > 0.51) exit 1
+    if (b < 0.4995 || b > 0.5005) exit 1
     if (c[1] < 0.999 * (1 - 0.9 * exp(-b)) || c[1] > 1.001 * (1 - 0.9 * exp(-b))) exit 1
     if (c[2] < 0.999 * (1 - 0.9 * exp(-2 * b)) || c[2] > 1.001 * (1 - 0.9 * exp(-2 * b))) exit 1
     if (c[3] < 0.999 * ((1 - b) * 0.1 + b) || c[3] > 1.001 * ((1 - b) * 0.1 + b)) exit 1
 }' || complain 'the composites are not what the scene format says'
 rm out/soft.pfm out/bright.pfm out/lerp.pfm out/add.pfm
+
+# The scene that the reference of the format shows is one.
+awk '/^```json$/ { inside = 1; next } /^```$/ { inside = 0 } inside' "$scenes/../../docs/scene-format.md" > shown.json
+renders shown.json -o out/shown.png --size 41x21
+rm out/shown.png
 
 # An existing output is replaced, and gets the permissions of a new file.
 umask 022
