@@ -15,11 +15,9 @@ float ew_integrate(ew_segment segment, EW_SOURCE source, float others)
     float sum = 0.0;
     for (int i = 0; i <= divisions; ++i) {
         float s = part.x + float(i) * step_length;
-        float weight;
-        float distance_squared = ew_distance_squared(source, segment.origin + s * segment.direction, weight);
         // 1, 4, 2, 4, ..., 4, 1
         float simpson_weight = i == 0 || i == divisions ? 1.0 : (i & 1) == 1 ? 4.0 : 2.0;
-        sum += simpson_weight * ew_sample(distance_squared, s, source.glow) * weight;
+        sum += simpson_weight * ew_sample_at(source, segment.origin + s * segment.direction, s);
     }
     return sum * step_length / 3.0;
 }

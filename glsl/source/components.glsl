@@ -63,3 +63,9 @@ vec2 ew_chord(ew_segment segment, ew_curve_block curve)
     float extent = 0.5 * length(vec2(ew_slope_x(curve), slope_y)) + 0.25 * ew_bend(curve);
     return ew_sphere_chord(segment, center, extent + curve.glow.y);
 }
+
+// Where the segment may be within reach of a path: a sphere around its ball.
+vec2 ew_chord(ew_segment segment, ew_path_block path)
+{
+    return ew_sphere_chord(segment, path.ball.xyz, path.ball.w + path.glow.y);
+}

@@ -13,9 +13,7 @@ float ew_integrate(ew_segment segment, EW_SOURCE source, float others)
     float sum = 0.0;
     for (int i = 0; i < samples; ++i) {
         vec2 place = peer_place(distribution, (float(i) + jitter) * stratum);
-        float weight;
-        float distance_squared = ew_distance_squared(source, segment.origin + place.x * segment.direction, weight);
-        sum += place.y * (ew_sample(distance_squared, place.x) * weight);
+        sum += place.y * ew_sample_at(source, segment.origin + place.x * segment.direction, place.x);
     }
     return sum * stratum;
 }

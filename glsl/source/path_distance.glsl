@@ -1,0 +1,61 @@
+// Samples of a path's field: the sum of its pieces' samples, less one of a point for each joint. See path.glsl.
+
+float ew_path_sample_weight(ew_path_block path, float t)
+{
+#ifdef EW_WEIGHTS
+    if (path.weights.y > 0.0) return ew_weight(t, path.weights.x, path.weights.y);
+#endif
+    return 1.0;
+}
+
+vec4 ew_piece_unit(ew_path_block path, float units, int i, int unit)
+{
+    return ew_source_data[int(path.pieces.x) + i * int(units) + unit];
+}
+
+// The nearest point of a straight piece.
+float ew_sample_straight(ew_path_block path, int i, vec3 position, float s, out vec4 start)
+{
+    start = ew_piece_unit(path, 2.0, i, 0);
+    vec4 end = ew_piece_unit(path, 2.0, i, 1);
+    vec3 way = end.xyz - start.xyz;
+    float u = clamp(dot(position - start.xyz, way) / max(ew_length_squared(way), 1e-30), 0.0, 1.0);
+    float weight = ew_path_sample_weight(path, mix(start.w, end.w, u));
+    return weight * ew_sample(ew_length_squared(position - start.xyz - u * way), s, path.glow);
+}
+
+#ifdef EW_BENDS
+float ew_sample_bent(ew_path_block path, int i, vec3 position, float s, out vec4 start)
+{
+    vec4 origin = ew_piece_unit(path, 5.0, i, 0);
+    vec4 axis_x = ew_piece_unit(path, 5.0, i, 1);
+    vec4 axis_y = ew_piece_unit(path, 5.0, i, 2);
+    vec4 domain = ew_piece_unit(path, 5.0, i, 4);
+    ew_curve_block curve = ew_curve_block(origin, axis_x, axis_y, ew_piece_unit(path, 5.0, i, 3), vec4(domain.xy, 0.0, 0.0), path.color,
+                                          path.glow);
+    ew_polynomial_curve polynomial = ew_make_polynomial_curve(curve);
+    float tau;
+    float distance_squared = ew_nearest_on_curve(polynomial, position, tau);
+    start = vec4(polynomial.c0 + polynomial.first * (polynomial.c1 + polynomial.first * polynomial.c2), domain.z);
+    float weight = ew_path_sample_weight(path, mix(domain.z, domain.w, tau - polynomial.first));
+    return weight * ew_sample(distance_squared, s, path.glow);
+}
+#endif
+
+float ew_sample_at(ew_path_block path, vec3 position, float s)
+{
+    float sum = 0.0;
+    int i = 0;
+    do {
+        vec4 start;
+#ifdef EW_BENDS
+        if (path.pieces.z > 0.0) sum += ew_sample_bent(path, i, position, s, start);
+        else sum += ew_sample_straight(path, i, position, s, start);
+#else
+        sum += ew_sample_straight(path, i, position, s, start);
+#endif
+        if (i > 0 || path.pieces.w > 0.0)
+            sum -= ew_path_sample_weight(path, start.w) * ew_sample(ew_length_squared(position - start.xyz), s, path.glow);
+    } while (++i < int(path.pieces.y));
+    return sum;
+}
