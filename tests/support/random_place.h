@@ -8,7 +8,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-enum { MAX_RANDOM_WEIGHTS = 6 };
+enum { MAX_RANDOM_WEIGHTS = 6, MAX_RANDOM_POINTS = 10 };
 
 typedef struct random_place {
     uint64_t *random;

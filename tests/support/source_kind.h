@@ -90,7 +90,8 @@ typedef struct source_kind {
 
     /* ---- Hostile input ---- */
 
-    /* Fills a source that is all zero. `weights` has room for MAX_RANDOM_WEIGHTS numbers; NULL: it shall have none. */
+    /* Fills a source that is all zero, but for its list of points, which has room for MAX_RANDOM_POINTS. `weights` has room for
+     * MAX_RANDOM_WEIGHTS numbers; NULL: it shall have none. */
     void (*make)(const random_place *place, void *source, double *weights);
     /* Lists the numbers of a source and returns how many runs they are. NULL: the source consists of doubles alone. */
     size_t (*numbers)(void *source, number_run runs[MAX_SOURCE_RUNS]);
