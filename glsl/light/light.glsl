@@ -38,8 +38,22 @@ float ew_others(vec4 sum, vec4 color)
 #endif
 #define EW_INTEGRAL(source) EW_SPEED ew_integrate(segment, source, ew_others(sum, source.color))
 #define EW_ADD_SOURCE(source) ew_add(EW_INTEGRAL(source), source.color, source.glow, sum)
+#ifdef EW_REACH
+// Sources that the ray misses are passed over in a loop of their own: where a group of pixels has few, a software rasteriser goes
+// through the expensive body as often as the pixel of the group that has most.
+#define EW_IS_HIT(source) (source.glow.y <= 0.0 || ew_is_part(ew_chord(segment, source)))
+#define EW_NEXT(block, read, count) bool hit; do { source = read(i); hit = EW_IS_HIT(source); } while (++i < count && !hit);
+#define EW_ADD_NEXT(block, read, count) block source; EW_NEXT(block, read, count) if (hit) { EW_ADD_SOURCE(source); }
+#define EW_ADD_KIND(block, read, count) if (count > 0) { int i = 0; do { EW_ADD_NEXT(block, read, count) } while (i < count); }
+#else
 #define EW_ADD_READ(block, read) block source = read(i); EW_ADD_SOURCE(source)
 #define EW_ADD_KIND(block, read, count) if (count > 0) { int i = 0; do { EW_ADD_READ(block, read); } while (++i < count); }
+#endif
+
+bool ew_is_part(vec2 part)
+{
+    return part.x < part.y;
+}
 
 // The light of all sources along a segment: sum B_i color_i, and sum B_i as the fourth component. C defines EW_ADD_KINDS: one
 // EW_ADD_KIND for each kind that the shader knows.
