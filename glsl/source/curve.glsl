@@ -141,11 +141,7 @@ float ew_integrate_arc(ew_arc arc, vec2 chord, float others)
     return sum;
 }
 
-float ew_integrate(ew_segment segment, ew_curve_block curve, float others)
+float ew_integrate(ew_segment segment, ew_curve_block curve, vec2 chord, float others)
 {
-    vec2 chord = vec2(0.0, segment.end);
-#ifdef EW_REACH
-    if (curve.glow.y > 0.0) chord = ew_chord(segment, curve);
-#endif
     return ew_integrate_arc(ew_make_arc(segment, curve), chord, others);
 }

@@ -375,21 +375,15 @@ float ew_integrate_bends(ew_segment segment, ew_path_block path, vec2 chord, flo
 
 // The integral over a segment, with the field of a path. It may be less than 0 by rounding, or between the arms of a sharp corner; the
 // sum over the sources cuts that.
-float ew_integrate(ew_segment segment, ew_path_block path, float others)
+float ew_integrate(ew_segment segment, ew_path_block path, vec2 chord, float others)
 {
-    vec2 chord = vec2(0.0, segment.end);
-#ifdef EW_REACH
-    if (path.glow.y > 0.0) chord = ew_chord(segment, path);
-#endif
     float sum = 0.0;
-    if (chord.x < chord.y) {
-        if (path.pieces.y == 0.0) sum = ew_integrate_beam(segment, path, chord);
+    if (path.pieces.y == 0.0) sum = ew_integrate_beam(segment, path, chord);
 #ifdef EW_JOINTS
-        else if (path.pieces.z == 0.0) sum = ew_integrate_polyline(segment, path, chord);
+    else if (path.pieces.z == 0.0) sum = ew_integrate_polyline(segment, path, chord);
 #endif
 #ifdef EW_BENDS
-        else sum = ew_integrate_bends(segment, path, chord, others);
+    else sum = ew_integrate_bends(segment, path, chord, others);
 #endif
-    }
     return sum;
 }
