@@ -5,6 +5,7 @@
 #include "base/error.h"
 #include "host/execute.h"
 #include "model/sources.h"
+#include "plan/frame.h"
 #include "plan/plan.h"
 #include "plan/shader_text.h"
 
@@ -60,6 +61,13 @@ ew_result ew_draw(ew_effect *effect, const ew_frame_desc *frame, ew_error *error
     return result == EW_OK ? ew_execute(&effect->device, &plan, &effect->allocator, error) : result;
 }
 
+ew_result ew_get_bounds(ew_effect *effect, const ew_frame_desc *frame, ew_bounds *bounds, ew_error *error)
+{
+    if (!effect) return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "effect must not be NULL");
+    if (!bounds) return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "bounds must not be NULL");
+    return ew_plan_bounds(&effect->sources, frame, bounds, error);
+}
+
 ew_result ew_prepare(ew_effect *effect, const ew_mix *mix, const ew_frame_desc *frame, int *is_ready, ew_error *error)
 {
     if (!is_ready) return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "is_ready must not be NULL");
@@ -72,17 +80,21 @@ ew_result ew_prepare(ew_effect *effect, const ew_mix *mix, const ew_frame_desc *
     return result;
 }
 
-ew_result ew_get_shader_text(ew_effect *effect, const ew_mix *mix, ew_integrator integrator, const char **text, ew_error *error)
+ew_result ew_get_shader_text(ew_effect *effect, const ew_mix *mix, const ew_frame_desc *frame, const char **text,
+                             ew_error *error)
 {
     if (!effect) return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "effect must not be NULL");
     if (!text) return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "text must not be NULL");
-    if (integrator != EW_INTEGRATOR_ADAPTIVE && integrator != EW_INTEGRATOR_SIMPSON)
-        return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "integrator must be one of ew_integrator");
+    ew_result result = ew_check_integral(frame, error);
+    if (result != EW_OK) return result;
     const ew_allocator *allocator = &effect->allocator;
     const ew_mix current = ew_sources_mix(&effect->sources);
     const ew_dialect dialect = ew_gl_dialect(&effect->device.gl);
+    ew_frame_desc integral = *frame;
+    integral.output = EW_OUTPUT_LERP;
+    integral.dither = 0;
     ew_shader_text parts;
-    ew_write_include(&parts, &dialect, ew_permutation_of(mix ? mix : &current, &(ew_frame_desc){.integrator = integrator}));
+    ew_write_include(&parts, &dialect, ew_permutation_of(mix ? mix : &current, &integral));
     size_t length = ew_join_shader_text(&parts, NULL);
     char *made = allocator->allocate(allocator->user, length + 1);
     if (!made) return ew_fail(error, EW_ERROR_OUT_OF_MEMORY, "no memory for a shader of %zu characters", length);

@@ -143,8 +143,8 @@ EW_API const char *ew_result_text(ew_result result);
 typedef struct ew_point {
     double position[3];
     double coefficient;
-    double brightness;
     double color[3];
+    double brightness;
     double core;
     double reach;
     double sharpness;
@@ -156,8 +156,8 @@ typedef struct ew_line {
     double position[3];
     double direction[3];
     double coefficient;
-    double brightness;
     double color[3];
+    double brightness;
     double core;
     double reach;
     double sharpness;
@@ -170,8 +170,8 @@ typedef struct ew_torus {
     double axis[3];
     double radius;
     double coefficient;
-    double brightness;
     double color[3];
+    double brightness;
     double core;
     double reach;
     double sharpness;
@@ -191,8 +191,8 @@ typedef struct ew_curve {
     const double *weights;
     size_t weight_count;
     double coefficient;
-    double brightness;
     double color[3];
+    double brightness;
     double core;
     double reach;
     double sharpness;
@@ -230,8 +230,8 @@ typedef struct ew_path {
     const double *weights;
     size_t weight_count;
     double coefficient;
-    double brightness;
     double color[3];
+    double brightness;
     double core;
     double reach;
     double sharpness;
@@ -256,9 +256,9 @@ typedef struct ew_sources_desc {
     size_t torus_count;
     const ew_curve *curves;
     size_t curve_count;
+    double epsilon;
     const ew_path *paths;
     size_t path_count;
-    double epsilon;
 } ew_sources_desc;
 
 /* ---- Effect ------------------------------------------------------------------------------------------------------------- */
@@ -495,8 +495,10 @@ typedef struct ew_mix {
     size_t line_count;
     size_t torus_count;
     size_t curve_count;
+    int has_weights; /* 1: curves and paths with or without weights; 0: only without */
     size_t path_count;
-    int has_weights; /* 1: curves with or without weights; 0: only curves without */
+    int has_reach;     /* 1: sources that may have a reach or a core of their own; 0: none has. 1 for the world integral */
+    int has_sharpness; /* 1: sources with or without sharpness; 0: only without */
 } ew_mix;
 
 #define EW_ANY_COUNT 5
@@ -529,8 +531,13 @@ EW_API ew_result ew_prepare(ew_effect *effect, const ew_mix *mix, const ew_frame
  * a ray marcher. The text goes after the line `#version 330` or `#version 300 es`, or a later version, and before the first use
  * of
  *
- *     float ew_luminance(vec3 origin, vec3 direction, vec2 interval, float opaque);    // B
- *     vec4 ew_light(vec3 origin, vec3 direction, vec2 interval, float opaque);         // sum B_i color_i, and B
+ *     float ew_luminance(vec3 origin, vec3 direction, float opaque);    // B
+ *     vec4 ew_light(vec3 origin, vec3 direction, float opaque);         // sum B_i color_i, and B
+ *
+ * of the world integral, from x = 0 to x = opaque; or, of the papers' integral,
+ *
+ *     float ew_luminance(vec3 origin, vec3 direction, vec2 interval, float opaque);
+ *     vec4 ew_light(vec3 origin, vec3 direction, vec2 interval, float opaque);
  *
  * The ray is origin + x direction. `origin` is relative to the eye of the frame's view, along the world's axes: zero for view
  * rays; for others, the host subtracts the eye in double precision. S is at x = interval.x and E at x = interval.y, which is
@@ -549,13 +556,14 @@ EW_API ew_result ew_prepare(ew_effect *effect, const ew_mix *mix, const ew_frame
  *
  * mix:        the sources that the shader can draw; NULL means the effect's current ones. The sources in the buffer must match
  *             it: exactly as many of a kind where the mix has an exact count, and no weights where has_weights is 0.
- * integrator: which rule the text uses. The quality, or the simpson_divisions, comes from the buffer.
+ * frame:      which integral the text computes, and by which integrator; core_pixels, if they are 0. All else comes from the
+ *             buffer.
  * text:       receives a string that belongs to the effect and is valid until the next call of this function. Unchanged on
  *             failure.
  *
  * Errors: INVALID_ARGUMENT, OUT_OF_MEMORY.
  * GL:     calls none. The text suits any context whose uniform blocks are as large. */
-EW_API ew_result ew_get_shader_text(ew_effect *effect, const ew_mix *mix, ew_integrator integrator, const char **text,
+EW_API ew_result ew_get_shader_text(ew_effect *effect, const ew_mix *mix, const ew_frame_desc *frame, const char **text,
                                     ew_error *error);
 
 /* Fills the buffer of the block `ew_uniforms` with the frame and the current sources.

@@ -132,6 +132,7 @@ void animation_init(demo_animation *a)
                                     .interval_end = 45,
                                     .decay_alpha = 1,
                                     .decay_beta = 1,
+                                    .exposure = 1,
                                     .background = {0.0018, 0.003, 0.008},
                                     .composite = EW_OUTPUT_LERP,
                                     .sources = {.epsilon = 0.012}}};

@@ -98,7 +98,7 @@ demo_scene camera_control_scene(const camera_control *control, const demo_scene 
     demo_scene seen = *scene;
     if (!control->is_free) return seen;
     seen.camera = control->camera;
-    if (!interval_follows) return seen;
+    if (!interval_follows || scene_is_world(scene)) return seen;
     double step = distance_to_target(&control->camera) - distance_to_target(&scene->camera);
     double nearest = seen.camera.orthographic ? scene->interval_start + step : fmax(seen.camera.near_depth, 1e-3);
     seen.interval_start = fmax(scene->interval_start + step, nearest);

@@ -28,8 +28,8 @@ void camera_control_fly(camera_control *control, const demo_scene *scene, const 
 /* Divides the distance from the eye to the target, and the height of an orthographic picture, by `nearness`, which is > 0. */
 void camera_control_approach(camera_control *control, const demo_scene *scene, double nearness);
 
-/* The scene as the free camera sees it. The copy shares all lists with `scene`. With `interval_follows`, the interval moves by
- * as much as the target's distance changes, because scene files place it around the target. */
+/* The scene as the free camera sees it. The copy shares all lists with `scene`. With `interval_follows`, the interval, if
+ * there is one, moves by as much as the target's distance changes, because scene files place it around the target. */
 demo_scene camera_control_scene(const camera_control *control, const demo_scene *scene, bool interval_follows);
 
 #endif

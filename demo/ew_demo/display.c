@@ -197,6 +197,7 @@ static ew_result draw_all(demo_display *display, const display_view *view, ew_er
     if (!result && view->count_evaluations) result = count_evaluations(display, view, error);
     film_exposure exposure = {.opaque = display->opaque,
                               .energy = display->energy,
+                              .soft = view->scene->composite == EW_OUTPUT_SOFT,
                               .samples_per_axis = display->samples_per_axis,
                               .graded = view->court_look,
                               .sensitivity = sensitivity,

@@ -24,6 +24,7 @@ void film_develop(const gl_functions *gl, const demo_film *film, const film_expo
     gl->UseProgram(film->program);
     gl->Uniform1i(gl->GetUniformLocation(film->program, "opaque_scene"), 0);
     gl->Uniform1i(gl->GetUniformLocation(film->program, "energy"), 1);
+    gl->Uniform1i(gl->GetUniformLocation(film->program, "soft"), exposure->soft);
     gl->Uniform1i(gl->GetUniformLocation(film->program, "samples_per_axis"), exposure->samples_per_axis);
     gl->Uniform1i(gl->GetUniformLocation(film->program, "graded"), exposure->graded);
     gl->Uniform1i(gl->GetUniformLocation(film->program, "encoded"), exposure->encoded);

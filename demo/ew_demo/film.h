@@ -21,6 +21,7 @@ void film_destroy(const gl_functions *gl, demo_film *film);
 typedef struct film_exposure {
     GLuint opaque; /* linear colour */
     GLuint energy; /* the effect, drawn over transparent black */
+    bool soft;     /* it was drawn with EW_OUTPUT_SOFT */
     int samples_per_axis;
     bool graded;        /* with the steep gradation of film */
     double sensitivity; /* to the energy, if graded */

@@ -33,21 +33,28 @@ static ew_result measure(const gl_functions *gl, ew_effect *effect, const ew_fra
     return EW_OK;
 }
 
-/* The luminance of the reference is the sum over parts of the interval. On the part from s0 to s1, let s = s0 + (s1 - s0) s'.
+/* Reduces a frame of the papers' integral to one part of its interval. On the part from s0 to s1, let s = s0 + (s1 - s0) s'.
  * Then the decay alpha / (s + beta)^2 ds is alpha' / (s' + beta')^2 ds', with alpha' = alpha / (s1 - s0) and
  * beta' = (s0 + beta) / (s1 - s0). */
+static void take_part(ew_frame_desc *frame, int part)
+{
+    const double parts = MAP_REFERENCE_PARTS, length = (frame->interval_end - frame->interval_start) / parts;
+    frame->interval_start += part * length;
+    frame->interval_end = frame->interval_start + length;
+    frame->decay_alpha *= parts;
+    frame->decay_beta = part + frame->decay_beta * parts;
+}
+
+/* The luminance of the reference is the sum over parts of the interval, if there is one. */
 static ew_result measure_reference(const gl_functions *gl, ew_effect *effect, const ew_frame_desc *frame, float *scratch,
                                    double *sum, ew_error *error)
 {
-    const double parts = MAP_REFERENCE_PARTS, length = (frame->interval_end - frame->interval_start) / parts;
+    bool is_world = frame->interval_start == 0 && frame->interval_end == 0;
     for (size_t i = 0; i < pixel_count(frame); i++)
         sum[i] = 0;
-    for (int i = 0; i < MAP_REFERENCE_PARTS; i++) {
+    for (int i = 0; i < (is_world ? 1 : MAP_REFERENCE_PARTS); i++) {
         ew_frame_desc part = *frame;
-        part.interval_start = frame->interval_start + i * length;
-        part.interval_end = part.interval_start + length;
-        part.decay_alpha = frame->decay_alpha * parts;
-        part.decay_beta = i + frame->decay_beta * parts;
+        if (!is_world) take_part(&part, i);
         part.integrator = EW_INTEGRATOR_SIMPSON;
         part.simpson_divisions = EW_MAX_SIMPSON_DIVISIONS;
         ew_result result = measure(gl, effect, &part, EW_OUTPUT_LUMINANCE, scratch, error);

@@ -14,19 +14,23 @@
 
 enum { EXIT_BAD_INPUT = 2 };
 
-static const char help[] = "Usage: ew-render SCENE.json [-o PICTURE] [--luminance FILE.pfm] [option]...\n"
-                           "Renders a scene of energy waves and opaque shapes, without a window.\n"
-                           "\n"
-                           "  -o, --output FILE       the picture: .png (8 bit, sRGB), .hdr or .pfm (linear floats)\n"
-                           "      --luminance FILE    B, the energy's light before compositing: .pfm, one float a pixel\n"
-                           "      --size WxH          in pixels, up to 8192x8192 (default 640x360)\n"
-                           "      --integrator NAME   adaptive, or with its largest relative error as in adaptive:1e-2,\n"
-                           "                          adaptive:1e-3 (default), adaptive:1e-4; or simpson:N, N divisions\n"
-                           "      --backend NAME      egl, osmesa or auto (default): EGL or else OSMesa\n"
-                           "  -h, --help              print this help\n"
-                           "      --version           print the version\n"
-                           "\n"
-                           "Prints the GL it used. Exit status: 0, or 2 with one line of what to mend on standard error.\n";
+static const char help[] =
+    "Usage: ew-render SCENE.json [-o PICTURE] [--luminance FILE.pfm] [option]...\n"
+    "Renders a scene of energy waves and opaque shapes, without a window.\n"
+    "\n"
+    "  -o, --output FILE       the picture: .png (8 bit, sRGB), .hdr or .pfm (linear floats); - writes PNG to\n"
+    "                          standard output\n"
+    "      --luminance FILE    B, the energy's light before compositing: .pfm, one float a pixel\n"
+    "      --size WxH          in pixels, up to 8192x8192 (default 640x360)\n"
+    "      --integrator NAME   adaptive, or with its largest relative error as in adaptive:1e-2,\n"
+    "                          adaptive:1e-3 (default), adaptive:1e-4; or simpson:N, N divisions\n"
+    "      --backend NAME      egl, osmesa or auto (default): EGL or else OSMesa\n"
+    "  -h, --help              print this help\n"
+    "      --version           print the version\n"
+    "\n"
+    "docs/scene-format.md describes scene files.\n"
+    "Prints the GL it used, to standard error if the picture goes to standard output. Exit status: 0, or 2 with one line\n"
+    "of what to mend on standard error.\n";
 
 typedef struct command_line {
     const char *scene;
@@ -36,6 +40,11 @@ typedef struct command_line {
     context_backend backend;
 } command_line;
 
+static bool is_standard_output(const char *path)
+{
+    return path && strcmp(path, "-") == 0;
+}
+
 /* Checks what concerns more than one option. */
 static bool check_options(const command_line *options, char *message, size_t size)
 {
@@ -43,7 +52,7 @@ static bool check_options(const command_line *options, char *message, size_t siz
         message_write(message, size, "SCENE.json: is missing; name the scene file to render");
     else if (!options->output && !options->luminance)
         message_write(message, size, "%s: no output is requested; add -o picture.png", options->scene);
-    else if (options->output && image_format_of(options->output) == IMAGE_UNKNOWN)
+    else if (options->output && !is_standard_output(options->output) && image_format_of(options->output) == IMAGE_UNKNOWN)
         message_write(message, size, "%s: has an unknown format; let its name end in .png, .hdr or .pfm", options->output);
     else if (options->luminance && image_format_of(options->luminance) != IMAGE_PFM)
         message_write(message, size, "%s: a luminance is written as .pfm; let its name end in .pfm", options->luminance);
@@ -84,11 +93,16 @@ static bool render(const command_line *options, const demo_scene *scene, float *
     gl_context *context = context_create(options->backend, message, size);
     if (!context) return false;
     char reason[300];
-    puts(context_description(context));
+    fprintf(is_standard_output(options->output) ? stderr : stdout, "%s\n", context_description(context));
     bool ok = render_scene(context, scene, &options->settings, color, luminance, reason, sizeof reason);
     if (!ok) message_write(message, size, "%s: %s", options->scene, reason);
     context_destroy(context);
     return ok;
+}
+
+static bool write_picture(const char *path, const image_pixels *picture, char *message, size_t size)
+{
+    return is_standard_output(path) ? image_print_png(picture, message, size) : image_write(path, picture, message, size);
 }
 
 static bool render_to_files(const command_line *options, char *message, size_t size)
@@ -105,7 +119,7 @@ static bool render_to_files(const command_line *options, char *message, size_t s
     } else if (render(options, &scene, color, luminance, message, size)) {
         image_pixels picture = {.width = settings->width, .height = settings->height, .channels = 4, .pixels = color};
         image_pixels light = {.width = settings->width, .height = settings->height, .channels = 1, .pixels = luminance};
-        ok = (!color || image_write(options->output, &picture, message, size)) &&
+        ok = (!color || write_picture(options->output, &picture, message, size)) &&
              (!luminance || image_write(options->luminance, &light, message, size));
     }
     free(color);

@@ -100,6 +100,13 @@ static bool write_image(image_format format, const image_pixels *image, FILE *fi
     return ok && fflush(file) == 0 && !ferror(file);
 }
 
+bool image_print_png(const image_pixels *image, char *message, size_t size)
+{
+    if (write_image(IMAGE_PNG, image, stdout)) return true;
+    message_write(message, size, "-: standard output cannot be written (%s); lead it to where there is room", strerror(errno));
+    return false;
+}
+
 bool image_write(const char *path, const image_pixels *image, char *message, size_t size)
 {
     size_t length = strlen(path);

@@ -27,6 +27,9 @@ typedef struct image_pixels {
     const unsigned char *srgb; /* 3 channels of 8-bit sRGB, for .png only; `pixels` is not used then */
 } image_pixels;
 
+/* Writes `image` to standard output as PNG. On failure returns false, with one line "-: what to mend" in `message`. */
+bool image_print_png(const image_pixels *image, char *message, size_t size);
+
 /* Writes `image` to `path`. On failure returns false, with one line "PATH: what to mend" in `message`, and leaves
  * an earlier file at `path` as it is. */
 bool image_write(const char *path, const image_pixels *image, char *message, size_t size);

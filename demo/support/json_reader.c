@@ -122,7 +122,7 @@ void reader_number(json_reader *r, const json_value *number, json_range range, d
         *result = x;
 }
 
-static void read_vector(json_reader *r, const json_value *vector, json_range range, double result[3])
+void reader_vector(json_reader *r, const json_value *vector, json_range range, double result[3])
 {
     if (!json_is_array(vector->json) || json_array_size(vector->json) != 3) {
         reader_fail(r, &vector->at, "must be an array of 3 numbers");
@@ -145,7 +145,7 @@ void reader_vector_member(json_reader *r, const json_value *object, const char *
                           double result[3])
 {
     json_value vector = reader_member(r, object, key, presence);
-    if (vector.json) read_vector(r, &vector, range, result);
+    if (vector.json) reader_vector(r, &vector, range, result);
 }
 
 void reader_direction_member(json_reader *r, const json_value *object, const char *key, double result[3])
@@ -153,7 +153,7 @@ void reader_direction_member(json_reader *r, const json_value *object, const cha
     json_value vector = reader_member(r, object, key, REQUIRED);
     double ignored[3];
     if (!vector.json) return;
-    read_vector(r, &vector, ANY, result);
+    reader_vector(r, &vector, ANY, result);
     if (r->ok && !vector_normalize(result, ignored)) reader_fail(r, &vector.at, "must not be zero: it gives a direction");
 }
 
@@ -167,8 +167,16 @@ void reader_matrix_member(json_reader *r, const json_value *object, const char *
     }
     for (size_t i = 0; i < 3; i++) {
         json_value row = reader_element(&matrix, i);
-        read_vector(r, &row, ANY, result[i]);
+        reader_vector(r, &row, ANY, result[i]);
     }
+}
+
+bool reader_bool_member(json_reader *r, const json_value *object, const char *key)
+{
+    json_value value = reader_member(r, object, key, OPTIONAL);
+    if (value.json && !json_is_boolean(value.json))
+        reader_fail(r, &value.at, "must be true or false, not %s", reader_type_text(&value));
+    return json_is_true(value.json);
 }
 
 int reader_word_member(json_reader *r, const json_value *object, const char *key, json_presence presence,

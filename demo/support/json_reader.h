@@ -56,8 +56,9 @@ bool reader_check_object(json_reader *r, const json_value *value);
 /* It is a fault if the value is no object, or has keys other than `keys`, which end with NULL. */
 void reader_check_keys(json_reader *r, const json_value *value, const char *const *keys);
 
-/* Reads the value itself. */
+/* Each of these reads the value itself. */
 void reader_number(json_reader *r, const json_value *value, json_range range, double *result);
+void reader_vector(json_reader *r, const json_value *value, json_range range, double result[3]);
 
 /* Each of these reads a member of `object`. An optional member that is absent leaves `result` as it is. */
 void reader_number_member(json_reader *r, const json_value *object, const char *key, json_presence presence, json_range range,
@@ -68,6 +69,9 @@ void reader_vector_member(json_reader *r, const json_value *object, const char *
 void reader_direction_member(json_reader *r, const json_value *object, const char *key, double result[3]);
 /* Three required vectors. */
 void reader_matrix_member(json_reader *r, const json_value *object, const char *key, double result[3][3]);
+
+/* An optional member, which is false by default. */
+bool reader_bool_member(json_reader *r, const json_value *object, const char *key);
 
 /* Returns which of `words`, which end with NULL, the member is; 0 where it is absent or a fault. */
 int reader_word_member(json_reader *r, const json_value *object, const char *key, json_presence presence,

@@ -45,6 +45,8 @@ ew_frame_desc render_frame(const demo_scene *scene, const render_settings *setti
     frame.interval_end = scene->interval_end;
     frame.decay_alpha = scene->decay_alpha;
     frame.decay_beta = scene->decay_beta;
+    frame.core_pixels = scene->core_pixels;
+    frame.exposure = scene->exposure;
     frame.integrator = settings->integrator;
     frame.quality = settings->quality;
     frame.simpson_divisions = settings->simpson_divisions;

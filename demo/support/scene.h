@@ -46,17 +46,25 @@ typedef struct opaque_shape {
 
 typedef struct demo_scene {
     scene_camera camera;
-    double interval_start; /* a view depth, as is the end */
+    double interval_start; /* a view depth, as is the end; both are 0 in the world integral */
     double interval_end;
     double decay_alpha;
     double decay_beta;
+    double core_pixels;
+    double exposure;
     double background[3];
     double color[3];     /* the default of sources; those that name no other have it already */
-    ew_output composite; /* EW_OUTPUT_LERP or EW_OUTPUT_ADD */
+    ew_output composite; /* EW_OUTPUT_LERP, EW_OUTPUT_ADD or EW_OUTPUT_SOFT */
     ew_sources_desc sources;
     opaque_shape *opaque;
     size_t opaque_count;
     memory_chain *memory; /* of a scene from a file: all its lists */
 } demo_scene;
+
+/* Whether the scene is of the world integral, not of the papers'. */
+static inline bool scene_is_world(const demo_scene *scene)
+{
+    return scene->interval_start == 0 && scene->interval_end == 0;
+}
 
 #endif

@@ -2,6 +2,7 @@
 #include "scene_file.h"
 #include "json_reader.h"
 #include "message.h"
+#include "scene_sources.h"
 #include "vector.h"
 
 #include <errno.h>
@@ -10,118 +11,6 @@
 #include <string.h>
 
 enum { MAX_FILE_BYTES = 64 << 20 };
-
-/* ---- Sources ------------------------------------------------------------------------------------------------------------ */
-
-/* What all kinds have in common. The reader's context is the default colour. */
-static void read_light(json_reader *r, const json_value *source, double *coefficient, double color[3])
-{
-    *coefficient = 1;
-    reader_number_member(r, source, "coefficient", OPTIONAL, NOT_NEGATIVE, coefficient);
-    vector_copy(r->context, color);
-    reader_vector_member(r, source, "color", OPTIONAL, NOT_NEGATIVE, color);
-}
-
-static void read_point(json_reader *r, const json_value *source, void *result)
-{
-    static const char *const keys[] = {"position", "coefficient", "color", NULL};
-    ew_point *point = result;
-    reader_check_keys(r, source, keys);
-    reader_vector_member(r, source, "position", REQUIRED, ANY, point->position);
-    read_light(r, source, &point->coefficient, point->color);
-}
-
-static void read_points(json_reader *r, const json_value *root, ew_sources_desc *sources)
-{
-    sources->points = reader_list_member(r, root, "points", EW_MAX_POINTS, sizeof(ew_point), read_point, &sources->point_count);
-}
-
-static void read_line(json_reader *r, const json_value *source, void *result)
-{
-    static const char *const keys[] = {"position", "direction", "coefficient", "color", NULL};
-    ew_line *line = result;
-    reader_check_keys(r, source, keys);
-    reader_vector_member(r, source, "position", REQUIRED, ANY, line->position);
-    reader_direction_member(r, source, "direction", line->direction);
-    read_light(r, source, &line->coefficient, line->color);
-}
-
-static void read_lines(json_reader *r, const json_value *root, ew_sources_desc *sources)
-{
-    sources->lines = reader_list_member(r, root, "lines", EW_MAX_LINES, sizeof(ew_line), read_line, &sources->line_count);
-}
-
-static void read_torus(json_reader *r, const json_value *source, void *result)
-{
-    static const char *const keys[] = {"center", "axis", "radius", "coefficient", "color", NULL};
-    ew_torus *torus = result;
-    reader_check_keys(r, source, keys);
-    reader_vector_member(r, source, "center", REQUIRED, ANY, torus->center);
-    reader_direction_member(r, source, "axis", torus->axis);
-    reader_number_member(r, source, "radius", REQUIRED, NOT_NEGATIVE, &torus->radius);
-    read_light(r, source, &torus->coefficient, torus->color);
-}
-
-static void read_tori(json_reader *r, const json_value *root, ew_sources_desc *sources)
-{
-    sources->tori = reader_list_member(r, root, "tori", EW_MAX_TORI, sizeof(ew_torus), read_torus, &sources->torus_count);
-}
-
-static void read_weight(json_reader *r, const json_value *weight, void *result)
-{
-    reader_number(r, weight, NOT_NEGATIVE, result);
-}
-
-static void read_domain(json_reader *r, const json_value *source, double domain[2])
-{
-    domain[0] = 0;
-    domain[1] = 1;
-    json_value interval = reader_member(r, source, "domain", OPTIONAL);
-    if (!interval.json) return;
-    if (!json_is_array(interval.json) || json_array_size(interval.json) != 2) {
-        reader_fail(r, &interval.at, "must be an array of 2 numbers");
-        return;
-    }
-    for (size_t i = 0; i < 2; i++) {
-        json_value end = reader_element(&interval, i);
-        reader_number(r, &end, ANY, &domain[i]);
-    }
-    if (r->ok && !(domain[0] < domain[1])) reader_fail(r, &interval.at, "must grow from its first number to its second");
-}
-
-static void read_curve(json_reader *r, const json_value *source, void *result)
-{
-    static const char *const keys[] = {"control_points", "polynomial", "domain", "weights", "coefficient", "color", NULL};
-    ew_curve *curve = result;
-    reader_check_keys(r, source, keys);
-    bool bezier = json_object_get(source->json, "control_points"), polynomial = json_object_get(source->json, "polynomial");
-    if (bezier == polynomial) reader_fail(r, &source->at, "must have either control_points or a polynomial");
-    if (bezier) {
-        double control_points[3][3] = {{0}};
-        reader_matrix_member(r, source, "control_points", control_points);
-        ew_bezier_polynomial(control_points, curve->polynomial);
-    } else if (polynomial) {
-        reader_matrix_member(r, source, "polynomial", curve->polynomial);
-    }
-    read_domain(r, source, curve->domain);
-    curve->weights =
-        reader_list_member(r, source, "weights", EW_MAX_WEIGHTS, sizeof(double), read_weight, &curve->weight_count);
-    json_value weights = reader_member(r, source, "weights", OPTIONAL);
-    if (weights.json && !curve->weights) reader_fail(r, &weights.at, "must not be empty; leave it out for an even brightness");
-    read_light(r, source, &curve->coefficient, curve->color);
-}
-
-static void read_curves(json_reader *r, const json_value *root, ew_sources_desc *sources)
-{
-    sources->curves = reader_list_member(r, root, "curves", EW_MAX_CURVES, sizeof(ew_curve), read_curve, &sources->curve_count);
-}
-
-/* One row a kind of source: the key of its list, and the function that reads the list. */
-static const struct {
-    const char *key;
-    void (*read)(json_reader *r, const json_value *root, ew_sources_desc *sources);
-} source_kinds[] = {{"points", read_points}, {"lines", read_lines}, {"tori", read_tori}, {"curves", read_curves}};
-enum { SOURCE_KIND_COUNT = sizeof source_kinds / sizeof *source_kinds };
 
 /* ---- Opaque shapes ------------------------------------------------------------------------------------------------------ */
 
@@ -212,13 +101,14 @@ static void read_camera(json_reader *r, const json_value *root, scene_camera *ca
     if (r->ok) check_camera(r, &object, camera);
 }
 
+/* Without an interval, both of its ends stay 0. */
 static void read_interval(json_reader *r, const json_value *root, demo_scene *scene)
 {
     static const char *const keys[] = {"start", "end", NULL};
-    scene->interval_start = scene->camera.near_depth;
-    scene->interval_end = scene->camera.far_depth;
     json_value object = reader_member(r, root, "interval", OPTIONAL);
     if (!object.json) return;
+    scene->interval_start = scene->camera.near_depth;
+    scene->interval_end = scene->camera.far_depth;
     reader_check_keys(r, &object, keys);
     reader_number_member(r, &object, "start", OPTIONAL, scene->camera.orthographic ? ANY : POSITIVE, &scene->interval_start);
     reader_number_member(r, &object, "end", OPTIONAL, ANY, &scene->interval_end);
@@ -239,6 +129,8 @@ static void read_decay(json_reader *r, const json_value *root, demo_scene *scene
     scene->decay_beta = 1;
     json_value object = reader_member(r, root, "decay", OPTIONAL);
     if (!object.json) return;
+    if (scene_is_world(scene))
+        reader_fail(r, &object.at, "must not be there without an interval; add an interval, or leave the decay out");
     reader_check_keys(r, &object, keys);
     reader_number_member(r, &object, "alpha", OPTIONAL, NOT_NEGATIVE, &scene->decay_alpha);
     reader_number_member(r, &object, "beta", OPTIONAL, POSITIVE, &scene->decay_beta);
@@ -255,44 +147,80 @@ static void read_version_and_comment(json_reader *r, const json_value *root)
 
 static void check_root_keys(json_reader *r, const json_value *root)
 {
-    static const char *const fixed[] = {"version", "comment",    "camera", "interval",  "decay",
-                                        "epsilon", "background", "color",  "composite", "opaque"};
+    static const char *const fixed[] = {"version",     "comment",  "camera",     "interval", "decay",     "epsilon",
+                                        "core_pixels", "exposure", "background", "color",    "composite", "opaque"};
     enum { FIXED_COUNT = sizeof fixed / sizeof *fixed };
-    const char *keys[FIXED_COUNT + SOURCE_KIND_COUNT + 1] = {NULL};
+    const char *keys[FIXED_COUNT + SCENE_SOURCE_KIND_COUNT + 1] = {NULL};
     for (int i = 0; i < FIXED_COUNT; i++)
         keys[i] = fixed[i];
-    for (int i = 0; i < SOURCE_KIND_COUNT; i++)
-        keys[FIXED_COUNT + i] = source_kinds[i].key;
+    for (int i = 0; i < SCENE_SOURCE_KIND_COUNT; i++)
+        keys[FIXED_COUNT + i] = scene_source_kinds[i].key;
     reader_check_keys(r, root, keys);
+}
+
+/* An optional number from 0 to `most`. */
+static void read_factor(json_reader *r, const json_value *root, const char *key, double most, double *result)
+{
+    json_value number = reader_member(r, root, key, OPTIONAL);
+    if (!number.json) return;
+    reader_number(r, &number, NOT_NEGATIVE, result);
+    if (*result > most) reader_fail(r, &number.at, "must be from 0 to %g, but is %g", most, *result);
+}
+
+static void read_look(json_reader *r, const json_value *root, demo_scene *scene)
+{
+    static const char *const names[] = {"lerp", "add", "soft", NULL};
+    static const ew_output composites[] = {EW_OUTPUT_LERP, EW_OUTPUT_ADD, EW_OUTPUT_SOFT};
+    scene->composite = composites[reader_word_member(r, root, "composite", OPTIONAL, names)];
+    scene->core_pixels = scene_is_world(scene) ? 1.5 : 0;
+    read_factor(r, root, "core_pixels", 64, &scene->core_pixels);
+    scene->exposure = 1;
+    read_factor(r, root, "exposure", 1e6, &scene->exposure);
+    reader_vector_member(r, root, "background", OPTIONAL, NOT_NEGATIVE, scene->background);
+    vector_copy((double[3]){0.2, 0.5, 1}, scene->color);
+    reader_vector_member(r, root, "color", OPTIONAL, NOT_NEGATIVE, scene->color);
 }
 
 static void read_scene(json_reader *r, const json_value *root, demo_scene *scene)
 {
-    static const char *const composites[] = {"lerp", "add", NULL};
     check_root_keys(r, root);
     read_version_and_comment(r, root);
     read_camera(r, root, &scene->camera);
     read_interval(r, root, scene);
     read_decay(r, root, scene);
-    reader_vector_member(r, root, "background", OPTIONAL, NOT_NEGATIVE, scene->background);
-    scene->composite = reader_word_member(r, root, "composite", OPTIONAL, composites) == 1 ? EW_OUTPUT_ADD : EW_OUTPUT_LERP;
+    read_look(r, root, scene);
     scene->opaque =
         reader_list_member(r, root, "opaque", MAX_OPAQUE_SHAPES, sizeof(opaque_shape), read_opaque, &scene->opaque_count);
 
     scene->sources.epsilon = 1e-3;
     reader_number_member(r, root, "epsilon", OPTIONAL, POSITIVE, &scene->sources.epsilon);
-    vector_copy((double[3]){0.2, 0.5, 1}, scene->color);
-    reader_vector_member(r, root, "color", OPTIONAL, NOT_NEGATIVE, scene->color);
-    r->context = scene->color;
-    for (int i = 0; i < SOURCE_KIND_COUNT; i++)
-        source_kinds[i].read(r, root, &scene->sources);
+    r->context = scene;
+    for (int i = 0; i < SCENE_SOURCE_KIND_COUNT; i++)
+        scene_source_kinds[i].read(r, root, &scene->sources);
 }
 
 /* ---- Files -------------------------------------------------------------------------------------------------------------- */
 
+/* UTF-16 begins with a byte order mark, or with a character of ASCII, of which one byte is 0. */
+static bool is_utf16(const char *text, size_t length)
+{
+    return length >= 2 &&
+           (memcmp(text, "\xff\xfe", 2) == 0 || memcmp(text, "\xfe\xff", 2) == 0 || (text[0] == '\0') != (text[1] == '\0'));
+}
+
 bool scene_parse(const char *text, size_t length, const char *name, demo_scene *scene, char *message, size_t size)
 {
+    static const char byte_order_mark[] = "\xef\xbb\xbf";
+    enum { MARK_LENGTH = sizeof byte_order_mark - 1 };
     *scene = (demo_scene){0};
+    if (is_utf16(text, length)) {
+        message_write(message, size, "%s: is UTF-16 text; save it as UTF-8", name);
+        return false;
+    }
+    if (length >= MARK_LENGTH && memcmp(text, byte_order_mark, MARK_LENGTH) == 0) {
+        text += MARK_LENGTH;
+        length -= MARK_LENGTH;
+    }
     json_error_t error;
     /* Integers are read as reals, because large ones would not fit into an integer. */
     json_t *json = json_loadb(text, length, JSON_REJECT_DUPLICATES | JSON_DECODE_INT_AS_REAL, &error);

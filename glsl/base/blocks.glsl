@@ -40,10 +40,10 @@ float ew_beta()
     return ew_frame.decay.x;
 }
 
-// The floor under all distances, which is the radius of the cores.
-float ew_epsilon()
+// The glow of sources that have none of their own.
+vec4 ew_plain_glow()
 {
-    return ew_frame.decay.y;
+    return vec4(ew_frame.decay.y, 0.0, 1.0, 1.0);
 }
 
 // How rough a panel of the adaptive integrator may be, relative to the integral.

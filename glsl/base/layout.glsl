@@ -16,6 +16,8 @@ struct ew_frame_block {
     vec4 ray_space_x;  // x in ray space of a position relative to the eye: dot(ray_space_x, vec4(position, 1))
     vec4 ray_space_y;  // its y
     vec4 ray_space_z;  // its z
+    vec4 core_floor;   // x: squared growth of the least core radius with view depth, y: view depth of the anchor; z: its square
+                       // where the view is parallel, both in units of ray space
     ivec4 simpson;     // x: number of divisions
 };
 
@@ -24,22 +26,27 @@ struct ew_frame_block {
 #define EW_COUNT_VECTORS ((EW_KIND_COUNT + 3) / 4)
 
 // The blocks of the sources. In every kind, `color` is the light's colour where B = 1, and its w the coefficient times alpha.
+// `glow` is: x: the core's radius, y: the reach, 0 for none, z: the sharpness, w: the brightness. It comes last, and is left out of
+// the uniform block where no source has a reach or a core of its own: then x is the frame's epsilon.
 
 struct ew_point_block {
     vec4 position;
     vec4 color;
+    vec4 glow;
 };
 
 struct ew_line_block {
     vec4 position; // the point of the line nearest to the anchor
     vec4 direction;
     vec4 color;
+    vec4 glow;
 };
 
 struct ew_torus_block {
     vec4 center;
     vec4 axis; // w: radius
     vec4 color;
+    vec4 glow;
 };
 
 // The arc C(tau) = origin + slope_x tau axis_x + (slope_y tau + bend tau^2) axis_y with tau in [first, last], last - first = 1.
@@ -49,8 +56,9 @@ struct ew_curve_block {
     vec4 axis_x; // w: slope_x >= 0
     vec4 axis_y; // w: slope_y
     vec4 axis_z; // w: bend >= 0
-    vec4 color;
     vec4 domain; // x: first, y: last, z: the first weight piece, w: how many pieces there are (0: none)
+    vec4 color;
+    vec4 glow;
 };
 
 // One polynomial piece of S(t), equation (15): x + y f + z f^2 with f in [0, 1] along the piece.

@@ -11,12 +11,30 @@ vec3 ew_to_ray_space(vec3 v, float w)
     return vec3(dot(ew_frame.ray_space_x, place), dot(ew_frame.ray_space_y, place), dot(ew_frame.ray_space_z, place));
 }
 
+#ifdef EW_WORLD
+// The light of the ray from `origin` on, sum B_i color_i, and B as the fourth component. Cores are as wide as pixels by the view depth
+// along the ray, which is taken not to fall.
+vec4 ew_light(vec3 origin, vec3 direction, float opaque)
+{
+    vec3 start = ew_to_ray_space(origin, 1.0);
+    vec3 step = ew_to_ray_space(direction, 0.0);
+    ew_view_depth = vec2(ew_frame.core_floor.y - start.z, max(-step.z, 1e-6));
+    return ew_integrate_all(ew_segment(start, step, clamp(opaque, 0.0, 1e15)));
+}
+
+// B.
+float ew_luminance(vec3 origin, vec3 direction, float opaque)
+{
+    return ew_light(origin, direction, opaque).a;
+}
+#else
 // sum B_i color_i, and B as the fourth component.
 vec4 ew_light(vec3 origin, vec3 direction, vec2 interval, float opaque)
 {
     float interval_length = interval.y - interval.x;
     vec3 start = ew_to_ray_space(origin + interval.x * direction, 1.0);
     vec3 to_end = ew_to_ray_space(interval_length * direction, 0.0);
+    ew_view_depth = vec2(ew_frame.core_floor.y - start.z, max(-to_end.z, 1e-6));
     return ew_integrate_all(ew_segment(start, to_end, clamp((opaque - interval.x) / interval_length, 0.0, 1.0)));
 }
 
@@ -25,3 +43,4 @@ float ew_luminance(vec3 origin, vec3 direction, vec2 interval, float opaque)
 {
     return ew_light(origin, direction, interval, opaque).a;
 }
+#endif

@@ -3,10 +3,22 @@
 // B_i is cut here, far above what any target shows, so that sums and products of it stay finite.
 const float EW_MAX_LUMINANCE = 1e30;
 
-// Adds the light of one source to the sum. `color` is its block's: w is its coefficient.
-void ew_add(float integral, vec4 color, inout vec4 sum)
+#ifdef EW_SHARPNESS
+// b g(B / b) with g(x) = x^sharpness for x <= 1 and its straight continuation, 1 + sharpness (x - 1), beyond.
+float ew_sharpen(float luminance, float brightness, float sharpness)
+{
+    float x = luminance / brightness;
+    return brightness * (x <= 1.0 ? pow(x, sharpness) : 1.0 + sharpness * (x - 1.0));
+}
+#endif
+
+// Adds the light of one source to the sum. `color` and `glow` are its block's: color.w is its coefficient.
+void ew_add(float integral, vec4 color, vec4 glow, inout vec4 sum)
 {
     float luminance = clamp(color.w * integral, 0.0, EW_MAX_LUMINANCE);
+#ifdef EW_SHARPNESS
+    if (glow.z > 1.0) luminance = min(ew_sharpen(luminance, glow.w, glow.z), EW_MAX_LUMINANCE);
+#endif
     sum += vec4(luminance * color.rgb, luminance);
 }
 
@@ -19,7 +31,13 @@ float ew_others(vec4 sum, vec4 color)
 
 // Adds all sources of a kind: `source` is its block, `read` what reads one. The loop tests at its end: llvmpipe runs the body
 // of a loop that tests first once more, with every lane masked off.
-#define EW_ADD_SOURCE(source) ew_add(ew_integrate(segment, source, ew_others(sum, source.color)), source.color, sum)
+#ifdef EW_WORLD
+#define EW_SPEED length(segment.direction) *
+#else
+#define EW_SPEED
+#endif
+#define EW_INTEGRAL(source) EW_SPEED ew_integrate(segment, source, ew_others(sum, source.color))
+#define EW_ADD_SOURCE(source) ew_add(EW_INTEGRAL(source), source.color, source.glow, sum)
 #define EW_ADD_READ(block, read) block source = read(i); EW_ADD_SOURCE(source)
 #define EW_ADD_KIND(block, read, count) if (count > 0) { int i = 0; do { EW_ADD_READ(block, read); } while (++i < count); }
 

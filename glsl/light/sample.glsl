@@ -1,9 +1,29 @@
 // A sample of the field, for integrators that do nothing but sample it.
 
-// 1 / (max(epsilon, distance) (s + beta)^2): psi times zeta, (22).
-float ew_sample(float distance_squared, float s)
+// (1 / max(epsilon, distance) - 1 / R) / (s + beta)^2, not negative: psi times zeta, (22). The world integral has no decay.
+float ew_sample(float distance_squared, float s, vec4 glow)
 {
-    float epsilon = ew_epsilon();
     ew_evaluation_count += 1;
-    return 1.0 / (sqrt(max(distance_squared, epsilon * epsilon)) * ew_square(s + ew_beta()));
+#ifdef EW_REACH
+    float field = max(inversesqrt(max(distance_squared, ew_core2(glow, s))) - ew_inverse_reach(glow), 0.0);
+#else
+    float field = 1.0;
+    float distance = sqrt(max(distance_squared, ew_core2(glow, s)));
+#endif
+#ifdef EW_WORLD
+    return field;
+#elif defined(EW_REACH)
+    return field / ew_square(s + ew_beta());
+#else
+    return field / (distance * ew_square(s + ew_beta()));
+#endif
+}
+
+// Where integrators that sample begin and end: where something may be within reach.
+vec2 ew_sampled_part(ew_segment segment, vec2 chord, vec4 glow)
+{
+#ifdef EW_REACH
+    if (glow.y > 0.0) return chord;
+#endif
+    return vec2(0.0, segment.end);
 }

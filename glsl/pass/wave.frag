@@ -17,7 +17,11 @@ vec4 ew_shade(ew_segment segment)
 #ifdef EW_LUMINANCE
     return vec4(light.a, 0.0, 0.0, 1.0);
 #else
+#ifdef EW_SOFT
+    return vec4(1.0 - exp(-min(light.rgb, EW_MAX_RADIANCE)), 1.0);
+#else
     return vec4(min(light.rgb, EW_MAX_RADIANCE), min(light.a, 1.0));
+#endif
 #endif
 }
 
@@ -26,6 +30,7 @@ void main()
     vec2 pixel = gl_FragCoord.xy - ew_frame.pixel_center.xy;
     vec4 ray = ew_frame.ray_center + pixel.x * ew_frame.ray_right + pixel.y * ew_frame.ray_up;
     ew_segment segment = ew_segment(vec3(ray.xy, 0.0), vec3(ray.zw, -1.0), 1.0);
+    ew_view_depth = vec2(ew_frame.core_floor.y, 1.0);
 
 #ifdef EW_DEPTH_MULTISAMPLE
     // The mean of what is done to the target, not of the depths: a pixel on a silhouette is no wall half way.

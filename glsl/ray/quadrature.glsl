@@ -12,6 +12,41 @@ float ew_atanh_remainder(float w)
     return regular - log2(w) * singular;
 }
 
+#ifdef EW_WORLD
+// The integral over s in [from, to] of 1: how much the part of the ray counts.
+float ew_measure(float from, float to)
+{
+    return to - from;
+}
+
+// The integral over s in [from, to] of 1 / sqrt(b2 + k (s - s0)^2), for b2 >= 0 and k > 0: with d the root and
+// q = (to - from) / (d_from + d_to),
+//
+//     2 atanh(sqrt(k) q) / sqrt(k) = 2 q + 2 k q^3 F(k q^2),
+//
+// the limit of the papers' for a large beta. 1 - k q^2 is half_cosine over ((d_from + d_to) / 2)^2, written as there. Relative
+// error 1e-6.
+float ew_integrate_reciprocal(float b2, float k, float s0, float from, float to)
+{
+    float y_from = from - s0;
+    float y_to = to - s0;
+    float d_from = sqrt(b2 + k * y_from * y_from);
+    float d_to = sqrt(b2 + k * y_to * y_to);
+    float inverse = 1.0 / max(d_from + d_to, 1e-30);
+    float q = (to - from) * inverse;
+    float product = k * y_from * y_to;
+    float sum = d_from * d_to + abs(product);
+    float half_cosine = product >= 0.0 ? sum + b2 : b2 * (1.0 + (b2 + k * (y_from * y_from + y_to * y_to)) / sum);
+    float w = clamp(2.0 * half_cosine * inverse * inverse, 1e-37, 1.0);
+    return 2.0 * q * (1.0 + k * q * q * ew_atanh_remainder(w));
+}
+#else
+// The integral over s in [from, to] of 1 / (s + beta)^2: how much the part of the ray counts.
+float ew_measure(float from, float to)
+{
+    return (to - from) / ((from + ew_beta()) * (to + ew_beta()));
+}
+
 // The integral over s in [from, to] of 1 / (sqrt(b2 + k (s - s0)^2) (s + beta)^2), for b2 >= 0, k > 0 and s0 >= -beta.
 //
 // With v = 1 / (s + beta), ds / (s + beta)^2 = -dv, and the squared distance times v^2 is c v^2 - 2 g v + k, where
@@ -42,19 +77,62 @@ float ew_integrate_reciprocal(float b2, float k, float s0, float from, float to)
     float w = clamp(2.0 * depth_product * half_cosine * inverse * inverse, 1e-37, 1.0);
     return q * ((depth_from + depth_to) / depth_product + 2.0 * k * (s0 + beta) * q * q * ew_atanh_remainder(w));
 }
+#endif
 
-// The integral over s in [from, to] of 1 / (max(epsilon, sqrt(b2 + k (s - s0)^2)) (s + beta)^2): the core, in which the field
-// is constant, and what lies before and behind it. Relative error 1e-6, like the closed form's.
-float ew_integrate_floored_reciprocal(float b2, float k, float s0, float from, float to)
+#ifdef EW_CORE_PIXELS
+// The integral of 1 / max(r', sqrt(b2 + k (s - s0)^2)), with the integral's decay: the core, in which the field depends on its
+// radius alone, and what lies before and behind it. The core's edges are the roots of
+//
+//     (k - g) y^2 - 2 g z y - (r'^2 - b2) = 0,   y = s - s0,
+//
+// where g is the growth of r'^2 with the square of depth, and z the depth at s0 over its growth. k is less than g only on rays that
+// look along a line within its core; they stay in it. Relative error 1e-6.
+float ew_integrate_floored_reciprocal(float b2, float k, float s0, float from, float to, vec4 glow)
 {
-    float beta = ew_beta();
-    float epsilon = ew_epsilon();
+    float growth2 = ew_core_growth2();
+    float z = s0 + ew_view_depth.x / ew_view_depth.y;
+    float middle = growth2 * z;
+    float a = max(k - growth2, 1e-6 * k);
+    float root2 = middle * middle + a * (ew_core2(glow, s0) - b2);
+    float root = sqrt(max(root2, 0.0));
+    float core_from = clamp(s0 + (middle - root) / a, from, to);
+    float core_to = clamp(s0 + (middle + root) / a, from, to);
+    if (root2 <= 0.0 || core_from == core_to) core_from = core_to = to;
+    float sum = 0.0;
+    if (EW_IS_NEEDED(core_from < core_to))
+        sum += ew_integrate_reciprocal(ew_core_radius2(glow), max(growth2, 1e-30), s0 - z, core_from, core_to);
+    if (EW_IS_NEEDED(from < core_from)) sum += ew_integrate_reciprocal(b2, k, s0, from, core_from);
+    if (EW_IS_NEEDED(core_to < to)) sum += ew_integrate_reciprocal(b2, k, s0, core_to, to);
+    return sum;
+}
+#else
+// The integral over s in [from, to] of 1 / (max(epsilon, sqrt(b2 + k (s - s0)^2)) (s + beta)^2), or without the decay: the core,
+// in which the field is constant, and what lies before and behind it. Relative error 1e-6, like the closed form's.
+float ew_integrate_floored_reciprocal(float b2, float k, float s0, float from, float to, vec4 glow)
+{
+    float epsilon = glow.x;
     float half_core = sqrt(max(epsilon * epsilon - b2, 0.0) / k);
     float core_from = clamp(s0 - half_core, from, to);
     float core_to = clamp(s0 + half_core, from, to);
     if (core_from == core_to) core_from = core_to = to;
+#ifdef EW_WORLD
+    float sum = (core_to - core_from) / epsilon;
+#else
+    float beta = ew_beta();
     float sum = (core_to - core_from) / (epsilon * (core_from + beta) * (core_to + beta));
+#endif
     if (EW_IS_NEEDED(from < core_from)) sum += ew_integrate_reciprocal(b2, k, s0, from, core_from);
     if (core_to < to) sum += ew_integrate_reciprocal(b2, k, s0, core_to, to);
+    return sum;
+}
+#endif
+
+// The same, less 1 / R: what a source with a reach has between two places that are within it.
+float ew_integrate_within_reach(float b2, float k, float s0, vec2 part, vec4 glow)
+{
+    float sum = ew_integrate_floored_reciprocal(b2, k, s0, part.x, part.y, glow);
+#ifdef EW_REACH
+    sum -= ew_inverse_reach(glow) * ew_measure(part.x, part.y);
+#endif
     return sum;
 }

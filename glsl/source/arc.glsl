@@ -23,6 +23,8 @@ struct ew_arc {
     bool has_vertex; // the vertex is inside the arc
     float arm;       // the arm that is nearest: 1 or -1, the sign of its tau; 0: the one on the ray's side of the vertex
     float mean_weight;
+    vec4 glow;
+    float center; // the ray's s at which `start` is
 #ifdef EW_WEIGHTS
     float first_piece;
     float piece_count; // 0: no weights
@@ -50,6 +52,8 @@ ew_arc ew_make_arc(ew_segment segment, ew_curve_block curve)
     arc.has_vertex = arc.has_arms && arc.first < 0.0 && arc.last > 0.0;
     arc.arm = arc.has_arms && arc.last <= 0.0 ? -1.0 : 1.0;
     arc.mean_weight = ew_mean_weight(curve);
+    arc.glow = curve.glow;
+    arc.center = 0.0;
 #ifdef EW_WEIGHTS
     arc.first_piece = ew_first_piece(curve);
     arc.piece_count = ew_piece_count(curve);
@@ -125,4 +129,10 @@ float ew_arc_weight(ew_arc arc, float tau)
     if (arc.piece_count > 0.0) return ew_weight(tau - arc.first, arc.first_piece, arc.piece_count);
 #endif
     return 1.0;
+}
+
+// The squared radius of the arc's core at s.
+float ew_arc_core2(ew_arc arc, float s)
+{
+    return ew_core2(arc.glow, arc.center + s);
 }

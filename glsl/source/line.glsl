@@ -9,6 +9,18 @@ float ew_distance_squared(ew_line_block line, vec3 position, out float weight)
     return ew_length_squared(difference);
 }
 
+// Where the segment may be within reach.
+vec2 ew_chord(ew_segment segment, ew_line_block line)
+{
+    vec3 axis = line.direction.xyz;
+    vec3 to_line = line.position.xyz - segment.origin;
+    to_line -= dot(to_line, axis) * axis;
+    vec3 across = segment.direction - dot(segment.direction, axis) * axis;
+    float k = max(ew_length_squared(across), 1e-12);
+    float s0 = dot(to_line, across) / k;
+    return ew_chord_of(ew_length_squared(to_line - s0 * across), k, s0, line.glow.y, segment.end);
+}
+
 #ifndef EW_SAMPLING
 // The integral over a segment of 1 / max(epsilon, distance to a line), equation (3). Seen along the line, the line is a point,
 // so the closed form serves. A ray parallel to the line keeps its distance from it: then k is 0 up to rounding, and any s0 will
@@ -23,6 +35,11 @@ float ew_integrate(ew_segment segment, ew_line_block line, float others)
     float s0 = dot(to_line, across) / k;
     float b2 = ew_length_squared(to_line - s0 * across);
     ew_evaluation_count += 1;
-    return ew_integrate_floored_reciprocal(b2, k, s0, 0.0, segment.end);
+#ifdef EW_REACH
+    vec2 part = line.glow.y > 0.0 ? ew_chord_of(b2, k, s0, line.glow.y, segment.end) : vec2(0.0, segment.end);
+#else
+    vec2 part = vec2(0.0, segment.end);
+#endif
+    return ew_integrate_within_reach(b2, k, s0, part, line.glow);
 }
 #endif

@@ -36,14 +36,14 @@ ew_passage ew_passage_at(ew_arc arc, float tau, bool is_end, bool is_far)
     float b2 = ew_length_squared(across);
     // A passage that does not touch gets no core: between the edge of its core and that of the arc's, the rest would be a spike
     // that the quadrature's nodes may miss.
-    if (!is_touching) b2 = max(b2, ew_square(ew_epsilon()));
+    if (!is_touching) b2 = max(b2, ew_arc_core2(arc, s0));
     return ew_passage(is_touching, b2, k, s0, ew_arc_weight(arc, tau));
 }
 
 // tau of the two minima of the whole parabola's distance from the ray, which may be one. Seen along the ray, the ray is a
 // point, so they are roots of an equation like (12). It is scaled by |V|^2, so that projections become cross products and
-// nothing cancels.
-vec2 ew_closest_approaches(ew_arc arc)
+// nothing cancels. Between two minima is the maximum, `farthest`; without, it is a minimum.
+vec2 ew_closest_approaches(ew_arc arc, out float farthest)
 {
     vec3 moment = cross(arc.start, arc.direction);
     vec3 v = arc.direction;
@@ -59,21 +59,28 @@ vec2 ew_closest_approaches(ew_arc arc)
     constant -= shift * (linear + shift * (quadratic + shift * cubic));
     linear += shift * (2.0 * quadratic + shift * 3.0 * cubic);
     quadratic += 3.0 * cubic * shift;
-    return shift + ew_distance_minima(cubic, quadratic, linear, constant);
+    vec2 minima = ew_distance_minima(cubic, quadratic, linear, constant);
+    farthest = shift + (minima.x == minima.y ? minima.x : -quadratic / max(cubic, 1e-30) - minima.x - minima.y);
+    return shift + minima;
 }
 
-// The two closest approaches of the ray to the whole parabola, which may be one.
+// The two closest approaches of the ray to the whole parabola, which may be one; and the s of the maximum between them.
 struct ew_approaches {
     vec2 tau;
     vec2 s;
+    float farthest;
 };
 
 ew_approaches ew_find_approaches(ew_arc arc)
 {
-    vec2 tau = ew_closest_approaches(arc);
+    float farthest;
+    vec2 tau = ew_closest_approaches(arc, farthest);
     vec2 y = (arc.slope_y + arc.bend * tau) * tau;
     vec2 along = arc.slope_x * tau * arc.direction.x + y * arc.direction.y - dot(arc.start, arc.direction);
-    return ew_approaches(tau, along / ew_length_squared(arc.direction));
+    float farthest_y = (arc.slope_y + arc.bend * farthest) * farthest;
+    float farthest_along = arc.slope_x * farthest * arc.direction.x + farthest_y * arc.direction.y - dot(arc.start, arc.direction);
+    float v2 = ew_length_squared(arc.direction);
+    return ew_approaches(tau, along / v2, farthest_along / v2);
 }
 
 // The passage for a stretch around `middle` on which arc.arm is nearest, at whichever of its closest approaches is nearer.

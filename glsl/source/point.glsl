@@ -7,6 +7,12 @@ float ew_distance_squared(ew_point_block point, vec3 position, out float weight)
     return ew_length_squared(position - point.position.xyz);
 }
 
+// Where the segment may be within reach.
+vec2 ew_chord(ew_segment segment, ew_point_block point)
+{
+    return ew_sphere_chord(segment, point.position.xyz, point.glow.y);
+}
+
 #ifndef EW_SAMPLING
 // The integral over a segment of 1 / max(epsilon, distance to a point), equation (2), by the closed form. The ray's distance
 // from the point is the length of a perpendicular vector, because the root of a difference of squares would cancel. Relative
@@ -18,6 +24,11 @@ float ew_integrate(ew_segment segment, ew_point_block point, float others)
     float s0 = dot(to_point, segment.direction) / k;
     float b2 = ew_length_squared(to_point - s0 * segment.direction);
     ew_evaluation_count += 1;
-    return ew_integrate_floored_reciprocal(b2, k, s0, 0.0, segment.end);
+#ifdef EW_REACH
+    vec2 part = point.glow.y > 0.0 ? ew_chord_of(b2, k, s0, point.glow.y, segment.end) : vec2(0.0, segment.end);
+#else
+    vec2 part = vec2(0.0, segment.end);
+#endif
+    return ew_integrate_within_reach(b2, k, s0, part, point.glow);
 }
 #endif

@@ -12,8 +12,9 @@ struct ew_reciprocals {
     float tau;
 };
 
-ew_reciprocals ew_reciprocals_at(ew_arc arc, ew_passage passage, float epsilon2, float s)
+ew_reciprocals ew_reciprocals_at(ew_arc arc, ew_passage passage, float s)
 {
+    float epsilon2 = ew_arc_core2(arc, s);
     float tau = ew_tau_on_arm(arc, s);
     float model = passage.b2 + passage.k * ew_square(s - passage.s0);
     float distance_squared = ew_arc_distance_squared(arc, arc.start + s * arc.direction, tau);
@@ -50,9 +51,15 @@ ew_rest ew_weighted_rest(ew_arc arc, ew_passage passage, vec4 source, vec4 model
 
 // The factor on the second difference, which sees best the kink at the edge of the core: 1 if the nodes are all in it or all
 // outside.
-float ew_kink_factor(vec4 source)
+float ew_kink_factor(ew_arc arc, vec4 source, vec4 s)
 {
-    float core = 1.0 / ew_epsilon();
+#ifdef EW_CORE_PIXELS
+    vec4 core2 = vec4(ew_arc_core2(arc, s.x), ew_arc_core2(arc, s.y), ew_arc_core2(arc, s.z), ew_arc_core2(arc, s.w));
+    source *= sqrt(core2);
+    float core = 1.0;
+#else
+    float core = 1.0 / arc.glow.x;
+#endif
     float nearest = max(max(source.x, source.y), max(source.z, source.w));
     float farthest = min(min(source.x, source.y), min(source.z, source.w));
     return nearest > (1.0 - 1e-6) * core && farthest < (1.0 - 1e-6) * core ? EW_KINK : 1.0;
@@ -61,11 +68,10 @@ float ew_kink_factor(vec4 source)
 // The rest at four places s, all of which have their nearest points in weight piece `piece`.
 ew_rest ew_rest_at(ew_arc arc, ew_passage passage, vec4 s, float piece)
 {
-    float epsilon2 = ew_square(ew_epsilon());
-    ew_reciprocals at_x = ew_reciprocals_at(arc, passage, epsilon2, s.x);
-    ew_reciprocals at_y = ew_reciprocals_at(arc, passage, epsilon2, s.y);
-    ew_reciprocals at_z = ew_reciprocals_at(arc, passage, epsilon2, s.z);
-    ew_reciprocals at_w = ew_reciprocals_at(arc, passage, epsilon2, s.w);
+    ew_reciprocals at_x = ew_reciprocals_at(arc, passage, s.x);
+    ew_reciprocals at_y = ew_reciprocals_at(arc, passage, s.y);
+    ew_reciprocals at_z = ew_reciprocals_at(arc, passage, s.z);
+    ew_reciprocals at_w = ew_reciprocals_at(arc, passage, s.w);
     vec4 source = vec4(at_x.source, at_y.source, at_z.source, at_w.source);
     vec4 model = vec4(at_x.model, at_y.model, at_z.model, at_w.model);
     ew_rest rest;
@@ -74,9 +80,14 @@ ew_rest ew_rest_at(ew_arc arc, ew_passage passage, vec4 s, float piece)
 #ifdef EW_WEIGHTS
     if (arc.piece_count > 0.0) {
         vec4 tau = vec4(at_x.tau, at_y.tau, at_z.tau, at_w.tau);
+#ifdef EW_REACH
+        float inverse_reach = ew_inverse_reach(arc.glow);
+        rest = ew_weighted_rest(arc, passage, source - inverse_reach, model - inverse_reach, tau, piece, rest.curvature);
+#else
         rest = ew_weighted_rest(arc, passage, source, model, tau, piece, rest.curvature);
+#endif
     }
 #endif
-    rest.curvature *= ew_kink_factor(source);
+    rest.curvature *= ew_kink_factor(arc, source, s);
     return rest;
 }

@@ -1,7 +1,7 @@
 // The integral of the rest over a stretch, by adaptive quadrature.
 //
-// The variable is x = v - v(s0) with v = 1 / (s + beta), in which the decay is gone. x and the arc are counted from the
-// passage: seen from the eye, an arc that is small and far away would be lost in the last digits. The passage cuts the stretch
+// The variable is x = v - v(s0) with v = 1 / (s + beta), in which the decay is gone; without a decay it is s0 - s. x and the arc
+// are counted from the passage: seen from the eye, an arc that is small and far away would be lost in the last digits. The passage cuts the stretch
 // into a near side, x > 0, and a far side, x < 0. Each is divided into panels of four nodes from the passage outwards. A panel
 // is shortened until its values lie on a parabola.
 
@@ -47,7 +47,7 @@ ew_rule ew_choose_rule(bool starts_at_zero)
 // A stretch as seen from its passage, or from its end nearest to the passage if that is outside.
 struct ew_stretch {
     float center; // s of x = 0
-    float depth;  // center + beta
+    float depth;  // center + beta; 1 without a decay
     float depth2;
     float x_from; // x of its two ends, x_from >= 0 >= x_to
     float x_to;
@@ -61,14 +61,21 @@ struct ew_stretch {
 // the passage's. Nor is it much longer than the arc, because a bent arc's passage is of no use there.
 ew_stretch ew_make_stretch(ew_arc arc, ew_passage passage, float from, float to)
 {
-    float beta = ew_beta();
-    float epsilon2 = ew_square(ew_epsilon());
+    float epsilon2 = ew_arc_core2(arc, passage.s0);
     ew_stretch stretch;
     stretch.center = clamp(passage.s0, from, to);
+#ifdef EW_WORLD
+    stretch.depth = 1.0;
+    stretch.depth2 = 1.0;
+    stretch.x_from = stretch.center - from;
+    stretch.x_to = stretch.center - to;
+#else
+    float beta = ew_beta();
     stretch.depth = stretch.center + beta;
     stretch.depth2 = stretch.depth * stretch.depth;
     stretch.x_from = (stretch.center - from) / ((from + beta) * stretch.depth);
     stretch.x_to = (stretch.center - to) / ((to + beta) * stretch.depth);
+#endif
     float scale = inversesqrt(passage.k) / stretch.depth2;
     float extent = arc.slope_x + abs(arc.slope_y) + 2.0 * arc.bend * max(-arc.first, arc.last);
     stretch.peak = min(EW_FIRST_PANEL * scale * sqrt(max(passage.b2, epsilon2)),
@@ -126,7 +133,11 @@ ew_progress ew_start_far_side(ew_stretch stretch, float center_piece, float to_p
 float ew_width_to_knot(ew_arc arc, ew_stretch stretch, ew_progress progress)
 {
     float knot = max(ew_next_knot(arc, progress.piece, progress.last_piece), -stretch.center);
+#ifdef EW_WORLD
+    float width = -knot - progress.x;
+#else
     float width = -knot / ((knot + stretch.depth) * stretch.depth) - progress.x;
+#endif
     return progress.remaining >= 0.0 ? clamp(width, 0.0, progress.remaining) : clamp(width, progress.remaining, 0.0);
 }
 
@@ -153,6 +164,7 @@ float ew_integrate_rest(ew_arc arc, ew_passage passage, float from, float to, fl
     ew_stretch stretch = ew_make_stretch(arc, passage, from, to);
     arc.start += stretch.center * arc.direction;
     arc.equation_start += stretch.center * arc.equation_growth;
+    arc.center += stretch.center;
     passage.s0 -= stretch.center;
     float from_piece = ew_piece_at(arc, from - stretch.center);
     float center_piece = ew_piece_at(arc, 0.0);
@@ -169,7 +181,11 @@ float ew_integrate_rest(ew_arc arc, ew_passage passage, float from, float to, fl
 
         ew_rule rule = ew_choose_rule(progress.starts_at_zero);
         vec4 x = progress.x + width * rule.nodes;
+#ifdef EW_WORLD
+        ew_rest rest = ew_rest_at(arc, passage, -x, progress.piece);
+#else
         ew_rest rest = ew_rest_at(arc, passage, -stretch.depth2 * x / (1.0 + stretch.depth * x), progress.piece);
+#endif
         float error = (abs(dot(rest.values, rule.differences)) + rule.curvature_share * rest.curvature) * abs(width);
         // Panels shorter than the digits of s would only add up noise.
         bool is_fine = error <= allowance || is_last_try || abs(width) * stretch.depth2 < 1e-6 * stretch.center;

@@ -30,10 +30,14 @@ float ew_skip_parts(float s, vec2 first, vec2 last)
     return s;
 }
 
-// Where the stretch that begins at `from` ends: at an end's part, a split or the segment's end.
-float ew_end_of_stretch(float from, float end, vec2 first, vec2 last, vec4 splits)
+// Where the stretch that begins at `from` ends: at an end's part, a split or the segment's end. Of a curve with a reach also where
+// the distance has its maximum, `farthest`: then it has one minimum in a stretch at the most.
+float ew_end_of_stretch(float from, float end, vec2 first, vec2 last, vec4 splits, float farthest)
 {
     float to = end;
+#ifdef EW_REACH
+    if (farthest > from * (1.0 + 1e-6)) to = min(to, farthest);
+#endif
     if (first.x > from) to = min(to, first.x);
     if (last.x > from) to = min(to, last.x);
     if (splits.x > from * (1.0 + 1e-6)) to = min(to, splits.x);

@@ -12,14 +12,18 @@ float ew_integrate_torus_panels(ew_torus_side near, vec2 near_core, ew_torus_sid
     ew_torus_side side = far;
     if (is_near) side = near;
     vec2 core = is_near ? near_core : far_core;
-    float from = core.x > 0.0 ? 0.0 : core.y;
-    float stop = core.x > 0.0 ? core.x : side.end;
+    float from = core.x > side.begin ? side.begin : core.y;
+    float stop = core.x > side.begin ? core.x : side.end;
     float sum = 0.0;
     for (int panel = 0; panel < EW_MAX_TORUS_PANELS; ++panel) {
         float clearance = max(length(vec2(from - side.other_zero.x, side.other_zero.y)), 1e-6);
         float depth = side.depth + side.depth_slope * from;
         float remaining = max(stop - from, 0.0);
+#ifdef EW_WORLD
+        float size = longest * clearance;
+#else
         float size = min(longest * clearance, depth * (is_near ? longest / (4.0 + longest) : 0.5 * longest));
+#endif
         bool reaches_stop = size >= remaining;
         size = reaches_stop ? remaining : size;
         float light = ew_integrate_torus_panel(side, from, max(size, 1e-12), 1.5 * clearance);
@@ -33,8 +37,8 @@ float ew_integrate_torus_panels(ew_torus_side near, vec2 near_core, ew_torus_sid
             is_near = false;
             side = far;
             core = far_core;
-            from = core.x > 0.0 ? 0.0 : core.y;
-            stop = core.x > 0.0 ? core.x : side.end;
+            from = core.x > side.begin ? side.begin : core.y;
+            stop = core.x > side.begin ? core.x : side.end;
         }
     }
     return sum;
@@ -45,15 +49,38 @@ float ew_integrate_torus_panels(ew_torus_side near, vec2 near_core, ew_torus_sid
 float ew_integrate(ew_segment segment, ew_torus_block torus, float others)
 {
     float radius = ew_radius(torus);
-    ew_torus_ray ray = ew_make_torus_ray(segment, torus);
+    vec2 part = vec2(0.0, segment.end);
+#ifdef EW_REACH
+    if (torus.glow.y > 0.0) part = ew_chord(segment, torus);
+#endif
+    ew_torus_ray ray = ew_make_torus_ray(segment, torus, part);
     ew_torus_zeros zeros = ew_find_torus_zeros(ray, radius);
-    ew_torus_side far = ew_make_torus_side(ray, radius, 1.0, segment.end - ray.center, zeros.plus, zeros.minus);
-    ew_torus_side near = ew_make_torus_side(ray, radius, -1.0, ray.center, zeros.minus, zeros.plus);
+    ew_torus_side far = ew_make_torus_side(ray, radius, torus.glow, 1.0, part.y - ray.center, zeros.plus, zeros.minus);
+    ew_torus_side near = ew_make_torus_side(ray, radius, torus.glow, -1.0, ray.center - part.x, zeros.minus, zeros.plus);
+
+#ifdef EW_REACH
+    if (torus.glow.y > 0.0) {
+        far = ew_clip_torus_side(far);
+        near = ew_clip_torus_side(near);
+    }
+#endif
 
     float distance2_at_cut = ew_square(sqrt(ray.from_axis2) - radius) + ray.height * ray.height;
-    float edge_guess = ew_guess_torus_edge(ray, zeros, radius);
-    vec2 far_core = ew_torus_core(far, distance2_at_cut, edge_guess);
-    vec2 near_core = ew_torus_core(near, distance2_at_cut, edge_guess);
-    float cores = ew_integrate_torus_core(far, far_core) + ew_integrate_torus_core(near, near_core);
-    return cores + ew_integrate_torus_panels(near, near_core, far, far_core) / ray.direction2;
+#ifdef EW_CORE_PIXELS
+    // The core's radius where the ray is nearest to the torus: over the core it changes by next to nothing.
+    float epsilon = sqrt(ew_core2(torus.glow, ray.center + ew_nearest_to_torus(far) - ew_nearest_to_torus(near)));
+#else
+    float epsilon = torus.glow.x;
+#endif
+    float edge_guess = ew_guess_torus_edge(ray, zeros, radius, epsilon);
+    vec2 far_core = ew_torus_core(far, distance2_at_cut, edge_guess, ew_square(epsilon));
+    vec2 near_core = ew_torus_core(near, distance2_at_cut, edge_guess, ew_square(epsilon));
+    float cores = ew_integrate_torus_core(far, far_core, epsilon) + ew_integrate_torus_core(near, near_core, epsilon);
+    float sum = cores + ew_integrate_torus_panels(near, near_core, far, far_core) / ray.direction2;
+#ifdef EW_REACH
+    float measure = ew_measure(ray.center + far.begin, ray.center + far.end) +
+                    ew_measure(ray.center - near.end, ray.center - near.begin);
+    sum -= ew_inverse_reach(torus.glow) * measure;
+#endif
+    return sum;
 }

@@ -25,8 +25,14 @@ struct ew_torus_panel {
 // counts as beyond the panel's end, seen through infinity.
 ew_torus_panel ew_map_torus_panel(ew_torus_side side, float from, float size, float clearance)
 {
+#ifdef EW_WORLD
+    // Without a decay only other_zero is singular, before the panel; beyond it, a place so far away that it does not matter.
+    float depth = 1e3 * (size + clearance);
+    bool is_nearing = false;
+#else
     float depth = side.depth + side.depth_slope * from;
     bool is_nearing = side.depth_slope < 0.0;
+#endif
     float before = is_nearing ? clearance : min(clearance, depth);
     float beyond = is_nearing ? depth - size : max(clearance, depth);
     float from_before = size + 2.0 * before;
@@ -141,17 +147,21 @@ float ew_integrate_torus_panel(ew_torus_side side, float from, float size, float
     vec3 beyond_right = sqrt(max(from_axis2.right, 0.0)) + side.radius * shrink.right;
     vec3 beyond_left = sqrt(max(from_axis2.left, 0.0)) + side.radius * shrink.left;
     ew_at_nodes height = ew_linear_at_nodes(side.height + side.height_slope * from, side.height_slope * panel.scale, panel.m);
-    ew_at_nodes depth = ew_linear_at_nodes(panel.depth, side.depth_slope * panel.scale, panel.m);
-    vec3 depth2_right = depth.right * depth.right;
-    vec3 depth2_left = depth.left * depth.left;
-
     ew_at_nodes divisor = ew_other_zero_at_nodes(side, panel);
     divisor.right *= is_far ? own2.right : vec3(1.0);
     divisor.left *= is_far ? own2.left : vec3(1.0);
+#ifdef EW_WORLD
+    vec3 right = sqrt((beyond_right * beyond_right + height.right * height.right) / divisor.right) / shrink.right;
+    vec3 left = sqrt((beyond_left * beyond_left + height.left * height.left) / divisor.left) / shrink.left;
+#else
+    ew_at_nodes depth = ew_linear_at_nodes(panel.depth, side.depth_slope * panel.scale, panel.m);
+    vec3 depth2_right = depth.right * depth.right;
+    vec3 depth2_left = depth.left * depth.left;
     divisor.right *= depth2_right * depth2_right;
     divisor.left *= depth2_left * depth2_left;
     vec3 right = shrink.right * sqrt((beyond_right * beyond_right + height.right * height.right) / divisor.right);
     vec3 left = shrink.left * sqrt((beyond_left * beyond_left + height.left * height.left) / divisor.left);
+#endif
     ew_evaluation_count += 6;
     return 2.0 * size * panel.m_complement * inversesqrt(zero.scale2) * (dot(even, right + left) + dot(odd, right - left));
 }

@@ -19,7 +19,8 @@ struct ew_torus_ray {
     float moment2;    // from_axis2 across2 - outward^2, computed as a cross product
 };
 
-ew_torus_ray ew_make_torus_ray(ew_segment segment, ew_torus_block torus)
+// Of the part [from, to] of a segment.
+ew_torus_ray ew_make_torus_ray(ew_segment segment, ew_torus_block torus, vec2 part)
 {
     vec3 axis = torus.axis.xyz;
     ew_torus_ray ray;
@@ -32,7 +33,7 @@ ew_torus_ray ew_make_torus_ray(ew_segment segment, ew_torus_block torus)
     ray.direction2 = ray.across2 + ray.height_slope * ray.height_slope;
     float start_outward = dot(offset, across);
     float nearest = -start_outward / ray.across2;
-    ray.center = clamp(nearest, 0.0, segment.end);
+    ray.center = clamp(nearest, part.x, part.y);
     ray.outward = ray.center == nearest ? 0.0 : start_outward + ray.center * ray.across2;
     ray.moment2 = ew_length_squared(cross(offset, across));
     offset += ray.center * across;
@@ -83,7 +84,7 @@ ew_torus_zeros ew_find_torus_zeros(ew_torus_ray ray, float radius)
     return ew_torus_zeros(is_behind ? smaller : larger, is_behind ? -larger : -smaller, root);
 }
 
-// One side of the cut, with x counted from the cut outwards, in [0, end]. The squared distance from the axis and the height are
+// One side of the cut, with x counted from the cut outwards, in [begin, end]. The squared distance from the axis and the height are
 // polynomials of x as in ew_torus_ray, and depth, s + beta, is depth + depth_slope x.
 struct ew_torus_side {
     float radius;
@@ -94,14 +95,17 @@ struct ew_torus_side {
     float height_slope;
     float depth;
     float depth_slope; // 1: away from the eye, -1: towards it
+    float begin;       // where the reach begins; 0 without one
     float end;
+    vec4 glow;
     vec2 own_zero;     // where the distance vanishes: on this side of the cut if it vanishes on any
     vec2 other_zero;
 };
 
 // The side on which s grows by depth_slope x. `ahead` is the zero that lies further in that direction, as a value of s -
 // center.
-ew_torus_side ew_make_torus_side(ew_torus_ray ray, float radius, float depth_slope, float end, vec2 ahead, vec2 behind)
+ew_torus_side ew_make_torus_side(ew_torus_ray ray, float radius, vec4 glow, float depth_slope, float end, vec2 ahead,
+                                 vec2 behind)
 {
     ew_torus_side side;
     side.radius = radius;
@@ -112,7 +116,9 @@ ew_torus_side ew_make_torus_side(ew_torus_ray ray, float radius, float depth_slo
     side.height_slope = depth_slope * ray.height_slope;
     side.depth = ray.center + ew_beta();
     side.depth_slope = depth_slope;
+    side.begin = 0.0;
     side.end = end;
+    side.glow = glow;
     // At a zero of the distance, and not of `farthest`, the real part of radius + i height is positive.
     bool is_ahead = radius >= ray.height_slope * ahead.y;
     side.own_zero = depth_slope * (is_ahead ? ahead : behind);

@@ -116,7 +116,8 @@ static ew_gl_draw_state draw_state(const ew_target *target)
         GLenum destination_rgb, source_alpha, destination_alpha;
     } factors[] = {[EW_BLEND_REPLACE] = {GL_ONE, GL_ZERO, GL_ONE},
                    [EW_BLEND_OVER] = {GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA},
-                   [EW_BLEND_ADD] = {GL_ONE, GL_ZERO, GL_ONE}};
+                   [EW_BLEND_ADD] = {GL_ONE, GL_ZERO, GL_ONE},
+                   [EW_BLEND_SOFT] = {GL_ONE_MINUS_SRC_COLOR, GL_ZERO, GL_ONE}};
     const ew_viewport *viewport = &target->viewport;
     return (ew_gl_draw_state){
         .framebuffer = target->framebuffer,

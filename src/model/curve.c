@@ -30,6 +30,23 @@ static ew_result check(const void *source, const ew_source_name *name, ew_error 
     return ew_check_weights(weights_of(curve), name, error);
 }
 
+/* Around the middle m of the domain: C(m + x) - C(m) = x C'(m) + x^2 C2. */
+static ew_ball bound(const void *source)
+{
+    const ew_curve *curve = source;
+    double middle = 0.5 * (curve->domain[0] + curve->domain[1]), half = 0.5 * (curve->domain[1] - curve->domain[0]);
+    double slope[3], bend[3];
+    ew_ball ball;
+    for (int i = 0; i < 3; ++i) {
+        double c0 = curve->polynomial[0][i], c1 = curve->polynomial[1][i], c2 = curve->polynomial[2][i];
+        ball.center[i] = c0 + middle * (c1 + middle * c2);
+        slope[i] = half * (c1 + 2 * middle * c2);
+        bend[i] = half * half * c2;
+    }
+    ball.radius = sqrt(ew_dot(slope, slope)) + sqrt(ew_dot(bend, bend));
+    return ball;
+}
+
 /* The arc C(u) = start + u tangent + u^2 bend with u in [0, 1], t = domain[0] + u (domain[1] - domain[0]), in ray space. */
 typedef struct parabola_arc {
     double start[3], tangent[3], bend[3];
@@ -121,6 +138,7 @@ extern const ew_kind ew_curve_kind;
 const ew_kind ew_curve_kind = {
     EW_KIND_NAMES(curve, CURVE, curves),
     .check = check,
+    .bound = bound,
     .weights = weights_of,
     .pack = pack,
     .adaptive_files = {ew_glsl_arc_glsl, ew_glsl_passage_glsl, ew_glsl_cell_glsl, ew_glsl_stretch_glsl, ew_glsl_rest_glsl,

@@ -9,9 +9,9 @@ extern const ew_kind ew_point_kind, ew_line_kind, ew_torus_kind, ew_curve_kind;
 
 const ew_kind *const ew_kinds[EW_KIND_COUNT] = {&ew_point_kind, &ew_line_kind, &ew_torus_kind, &ew_curve_kind};
 
-size_t ew_kind_units(const ew_kind *kind)
+size_t ew_kind_units(const ew_kind *kind, bool has_glow)
 {
-    return kind->block_size / sizeof(ew_vec4);
+    return kind->block_size / sizeof(ew_vec4) - (has_glow ? 0 : 1);
 }
 
 const ew_emission *ew_source_emission(const ew_kind *kind, const void *source)

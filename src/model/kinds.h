@@ -10,6 +10,7 @@
 
 #include "energywave.h"
 
+#include <stdbool.h>
 #include <stddef.h>
 
 /* A source in messages: "curves[2]". */
@@ -22,7 +23,17 @@ typedef struct ew_source_name {
 typedef struct ew_emission {
     double coefficient;
     double color[3];
+    double brightness;
+    double core;
+    double reach;
+    double sharpness;
 } ew_emission;
+
+/* A ball in the world around all of a source. */
+typedef struct ew_ball {
+    double center[3];
+    double radius; /* HUGE_VAL: the source has no end */
+} ew_ball;
 
 /* A source's weights along its length, as the uniform block has them; pieces is 0 for a source without. */
 typedef struct ew_weight_range {
@@ -50,14 +61,16 @@ typedef struct ew_kind {
     size_t count_offset;    /* of the list's count there */
     size_t mix_offset;      /* of its count in ew_mix */
     size_t block_size;      /* of struct ew_point_block, a multiple of sizeof(ew_vec4) */
-    size_t color_offset;    /* of the block's `color` */
+    size_t color_offset;    /* of the block's `color`, behind which stands `glow` */
 
     /* Checks what is the kind's own: shape and weights. */
     ew_result (*check)(const void *source, const ew_source_name *name, ew_error *error);
+    /* The smallest ball that is easily found. */
+    ew_ball (*bound)(const void *source);
     /* NULL for a kind that has no weights. */
     ew_weight_list (*weights)(const void *source);
-    /* Brings a checked source to ray space, in double precision until the last step, and fills all of its block but `color`.
-     * Refuses what is too far away or too large there. */
+    /* Brings a checked source to ray space, in double precision until the last step, and fills all of its block but `color` and
+     * `glow`. Refuses what is too far away or too large there. */
     ew_result (*pack)(const void *source, const ew_source_name *name, const ew_ray_space *space, const ew_weight_range *weights,
                       void *block, ew_error *error);
 
@@ -75,17 +88,20 @@ typedef struct ew_kind {
 
 /* Holds what EW_KIND_NAMES relies on, and the limit of the kind in the public header. */
 #define EW_CHECK_KIND(kind, kinds_limit)                                                                                       \
-    _Static_assert(offsetof(ew_##kind, color) - offsetof(ew_##kind, coefficient) == offsetof(ew_emission, color),              \
+    _Static_assert(sizeof(ew_##kind) - offsetof(ew_##kind, coefficient) == sizeof(ew_emission),                                \
                    #kind " must end as ew_emission");                                                                          \
+    _Static_assert(offsetof(struct ew_##kind##_block, color) == sizeof(struct ew_##kind##_block) - 2 * sizeof(ew_vec4) &&      \
+                       offsetof(struct ew_##kind##_block, glow) == sizeof(struct ew_##kind##_block) - sizeof(ew_vec4),         \
+                   #kind "'s block must end with color and glow");                                                             \
     _Static_assert(sizeof(struct ew_##kind##_block) % sizeof(ew_vec4) == 0, #kind " must consist of vec4");                    \
-    _Static_assert((kinds_limit) == EW_MAX_SOURCE_UNITS * sizeof(ew_vec4) / sizeof(struct ew_##kind##_block),                  \
+    _Static_assert((kinds_limit) == EW_MAX_SOURCE_UNITS / (sizeof(struct ew_##kind##_block) / sizeof(ew_vec4) - 1),            \
                    #kind " takes other units in the public header")
 
 /* All rows, in the order in which the uniform block has the sources. */
 extern const ew_kind *const ew_kinds[EW_KIND_COUNT];
 
-/* The units (vec4) that a source of the kind takes, without weights. */
-size_t ew_kind_units(const ew_kind *kind);
+/* The units (vec4) that a source of the kind takes, without weights. `has_glow`: the block's last member is there. */
+size_t ew_kind_units(const ew_kind *kind, bool has_glow);
 
 const ew_emission *ew_source_emission(const ew_kind *kind, const void *source);
 

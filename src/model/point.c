@@ -10,6 +10,12 @@ static ew_result check(const void *source, const ew_source_name *name, ew_error 
     return ew_check_vector(name, "position", point->position, error);
 }
 
+static ew_ball bound(const void *source)
+{
+    const ew_point *point = source;
+    return (ew_ball){{point->position[0], point->position[1], point->position[2]}, 0};
+}
+
 static ew_result pack(const void *source, const ew_source_name *name, const ew_ray_space *space, const ew_weight_range *weights,
                       void *block, ew_error *error)
 {
@@ -24,6 +30,10 @@ static ew_result pack(const void *source, const ew_source_name *name, const ew_r
 
 extern const ew_kind ew_point_kind;
 const ew_kind ew_point_kind = {
-    EW_KIND_NAMES(point, POINT, points),    .check = check, .pack = pack, .adaptive_files = {ew_glsl_point_glsl},
+    EW_KIND_NAMES(point, POINT, points),
+    .check = check,
+    .bound = bound,
+    .pack = pack,
+    .adaptive_files = {ew_glsl_point_glsl},
     .sampling_files = {ew_glsl_point_glsl},
 };

@@ -85,6 +85,24 @@ void ew_pack_rays(const ew_view *view, const ew_interval *interval, const ew_vie
     block->depth_scale = (ew_vec4){(float)(sign * w_start), (float)sign, 0, 0};
 }
 
+double ew_pixel_height(const ew_view *view, const ew_viewport *viewport)
+{
+    double here[2], above[2];
+    double step = 2.0 / viewport->height;
+    if (ew_is_parallel(view)) {
+        ew_ray_at(view, 0, 0, 0, here);
+        ew_ray_at(view, 0, step, 0, above);
+        return hypot(above[0] - here[0], above[1] - here[1]);
+    }
+    /* Rays are linear in depth, so that a difference over one unit is the slope. */
+    double here_at_0[2], above_at_0[2];
+    ew_ray_at(view, 0, 0, 0, here_at_0);
+    ew_ray_at(view, 0, step, 0, above_at_0);
+    ew_ray_at(view, 0, 0, 1, here);
+    ew_ray_at(view, 0, step, 1, above);
+    return hypot((above[0] - above_at_0[0]) - (here[0] - here_at_0[0]), (above[1] - above_at_0[1]) - (here[1] - here_at_0[1]));
+}
+
 void ew_pack_ray_space(const ew_ray_space *space, struct ew_frame_block *block)
 {
     ew_vec4 *const rows[3] = {&block->ray_space_x, &block->ray_space_y, &block->ray_space_z};

@@ -47,6 +47,25 @@ static size_t count_weight_pieces(const ew_sources_desc *desc)
     return pieces;
 }
 
+/* Whether a source has a reach or a core of its own. */
+static bool needs_glow(const ew_sources_desc *desc)
+{
+    for (int k = 0; k < EW_KIND_COUNT; ++k)
+        for (size_t i = 0; i < count_in(desc, ew_kinds[k]); ++i) {
+            const ew_emission *emission = ew_source_emission(ew_kinds[k], list_in(desc, ew_kinds[k]) + i * ew_kinds[k]->size);
+            if (emission->reach > 0 || emission->core > 0) return true;
+        }
+    return false;
+}
+
+static size_t count_all(const ew_sources_desc *desc)
+{
+    size_t count = 0;
+    for (int k = 0; k < EW_KIND_COUNT; ++k)
+        count += count_in(desc, ew_kinds[k]);
+    return count;
+}
+
 /* ---- Checks ---- */
 
 static ew_result check_list(const ew_sources_desc *desc, const ew_kind *kind, ew_error *error)
@@ -67,15 +86,47 @@ static ew_result take_units(const char *elements, size_t count, size_t units, si
     return EW_OK;
 }
 
-static ew_result check_emission(const ew_emission *emission, const ew_source_name *name, ew_error *error)
+static ew_result refuse(const ew_source_name *name, const char *text, ew_error *error)
 {
-    if (!(isfinite(emission->coefficient) && emission->coefficient >= 0))
-        return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "%s[%zu].coefficient must be finite and >= 0", name->list,
-                       name->index);
+    return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "%s[%zu].%s", name->list, name->index, text);
+}
+
+static bool is_positive_or_0(double value)
+{
+    return isfinite(value) && value >= 0;
+}
+
+static ew_result check_light(const ew_emission *emission, const ew_source_name *name, ew_error *error)
+{
+    if (!is_positive_or_0(emission->coefficient)) return refuse(name, "coefficient must be finite and >= 0", error);
+    if (!is_positive_or_0(emission->brightness)) return refuse(name, "brightness must be finite and >= 0", error);
+    if (emission->coefficient > 0 && emission->brightness > 0)
+        return refuse(name, "brightness must not be given together with a coefficient", error);
     for (int i = 0; i < 3; ++i)
         if (!(emission->color[i] >= 0 && emission->color[i] <= EW_MAX_COLOR))
             return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "%s[%zu].color must be in [0, %g]", name->list, name->index,
                            EW_MAX_COLOR);
+    return EW_OK;
+}
+
+static double core_of(const ew_emission *emission, double epsilon)
+{
+    return emission->core > 0 ? emission->core : epsilon;
+}
+
+static ew_result check_extent(const ew_emission *emission, double epsilon, const ew_source_name *name, ew_error *error)
+{
+    if (!is_positive_or_0(emission->core)) return refuse(name, "core must be finite and >= 0", error);
+    if (!(core_of(emission, epsilon) > 0))
+        return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "epsilon must be > 0, or else %s[%zu].core", name->list, name->index);
+    if (!is_positive_or_0(emission->reach)) return refuse(name, "reach must be finite and >= 0", error);
+    if (emission->reach > 0 && !(emission->reach > core_of(emission, epsilon)))
+        return refuse(name, "reach must be larger than the core", error);
+    if (emission->brightness > 0 && emission->reach == 0) return refuse(name, "brightness needs a reach", error);
+    if (emission->sharpness == 0) return EW_OK;
+    if (!(isfinite(emission->sharpness) && emission->sharpness >= 1))
+        return refuse(name, "sharpness must be finite and >= 1, or 0", error);
+    if (emission->reach == 0) return refuse(name, "sharpness needs a reach", error);
     return EW_OK;
 }
 
@@ -85,7 +136,8 @@ static ew_result check_sources_of(const ew_sources_desc *desc, const ew_kind *ki
         const char *source = list_in(desc, kind) + i * kind->size;
         ew_source_name name = {kind->list_name, i};
         ew_result result = kind->check(source, &name, error);
-        if (result == EW_OK) result = check_emission(ew_source_emission(kind, source), &name, error);
+        if (result == EW_OK) result = check_light(ew_source_emission(kind, source), &name, error);
+        if (result == EW_OK) result = check_extent(ew_source_emission(kind, source), desc->epsilon, &name, error);
         if (result != EW_OK) return result;
     }
     return EW_OK;
@@ -95,17 +147,18 @@ static ew_result check_sources_of(const ew_sources_desc *desc, const ew_kind *ki
 static ew_result check(const ew_sources_desc *desc, size_t capacity, ew_error *error)
 {
     if (!desc) return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "sources must not be NULL");
-    if (!(isfinite(desc->epsilon) && desc->epsilon > 0))
-        return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "epsilon must be finite and > 0");
+    if (!is_positive_or_0(desc->epsilon)) return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "epsilon must be finite and >= 0");
     ew_result result = EW_OK;
     size_t left = capacity;
     for (int k = 0; k < EW_KIND_COUNT && result == EW_OK; ++k)
         result = check_list(desc, ew_kinds[k], error);
     for (int k = 0; k < EW_KIND_COUNT && result == EW_OK; ++k)
-        result =
-            take_units(ew_kinds[k]->list_name, count_in(desc, ew_kinds[k]), ew_kind_units(ew_kinds[k]), &left, capacity, error);
+        result = take_units(ew_kinds[k]->list_name, count_in(desc, ew_kinds[k]), ew_kind_units(ew_kinds[k], false), &left,
+                            capacity, error);
     for (int k = 0; k < EW_KIND_COUNT && result == EW_OK; ++k)
         result = check_sources_of(desc, ew_kinds[k], error);
+    if (result != EW_OK) return result;
+    if (needs_glow(desc)) result = take_units("reaches or cores", count_all(desc), 1, &left, capacity, error);
     if (result != EW_OK) return result;
     return take_units("pieces of weights", count_weight_pieces(desc), sizeof(struct ew_weight_block) / sizeof(ew_vec4), &left,
                       capacity, error);
@@ -126,13 +179,14 @@ static void *carve(char *memory, size_t *used, size_t size)
 static size_t lay_out(const ew_sources_desc *desc, char *memory, ew_sources *sources)
 {
     size_t used = 0, with_weights = 0, units = 0;
+    sources->has_glow = needs_glow(desc);
     for (int k = 0; k < EW_KIND_COUNT; ++k) {
         const ew_kind *kind = ew_kinds[k];
         size_t count = count_in(desc, kind);
         sources->counts[k] = count;
         sources->lists[k] = carve(memory, &used, count * kind->size);
         if (kind->weights) with_weights += count;
-        units += count * ew_kind_units(kind);
+        units += count * ew_kind_units(kind, sources->has_glow);
     }
     sources->weights = carve(memory, &used, with_weights * sizeof *sources->weights);
     sources->weight_piece_count = count_weight_pieces(desc);
@@ -195,26 +249,57 @@ void ew_sources_destroy(ew_sources *sources, const ew_allocator *allocator)
 
 ew_mix ew_sources_mix(const ew_sources *sources)
 {
-    ew_mix mix = {.has_weights = sources->weight_piece_count > 0};
-    for (int k = 0; k < EW_KIND_COUNT; ++k)
-        memcpy((char *)&mix + ew_kinds[k]->mix_offset, &sources->counts[k], sizeof sources->counts[k]);
+    ew_mix mix = {.has_weights = sources->weight_piece_count > 0, .has_reach = sources->has_glow};
+    for (int k = 0; k < EW_KIND_COUNT; ++k) {
+        const ew_kind *kind = ew_kinds[k];
+        memcpy((char *)&mix + kind->mix_offset, &sources->counts[k], sizeof sources->counts[k]);
+        for (size_t i = 0; i < sources->counts[k]; ++i) {
+            const ew_emission *emission = ew_source_emission(kind, (const char *)sources->lists[k] + i * kind->size);
+            if (emission->sharpness > 1) mix.has_sharpness = 1;
+        }
+    }
     return mix;
 }
 
-/* d ds = (length d') (ds), so that a coefficient over the interval's length makes B what it is in world units. */
-static ew_result pack_emission(const ew_emission *emission, const ew_source_name *name, double alpha, double length,
-                               ew_vec4 *color, ew_error *error)
+/* c of the field, from the brightness b where the host gives that: b / (2 ln(R / r)). */
+static double coefficient_of(const ew_emission *emission, double core)
 {
-    double scaled = emission->coefficient * alpha / length;
+    return emission->brightness > 0 ? emission->brightness / (2 * log(emission->reach / core)) : emission->coefficient;
+}
+
+/* The luminance through the middle of an orb; any positive number will do of a source that is dark. */
+static double brightness_of(const ew_emission *emission, double core)
+{
+    if (emission->brightness > 0) return emission->brightness;
+    return emission->coefficient > 0 && emission->reach > 0 ? emission->coefficient * 2 * log(emission->reach / core) : 1;
+}
+
+static ew_result pack_emission(const ew_emission *emission, const ew_source_name *name, const ew_packing *packing,
+                               const ew_sources *sources, ew_vec4 *color_and_glow, ew_error *error)
+{
+    double core = core_of(emission, sources->epsilon), core_in_space = core / packing->space.length;
+    double reach = emission->reach / packing->space.length;
+    double scaled = coefficient_of(emission, core) * packing->coefficient_scale;
     if (!(scaled <= EW_MAX_COEFFICIENT))
         return ew_fail(error, EW_ERROR_INVALID_ARGUMENT,
                        "%s[%zu].coefficient times decay_alpha over the interval's length must be at most %g", name->list,
                        name->index, EW_MAX_COEFFICIENT);
-    *color = ew_pack(emission->color, scaled);
+    if (!(core_in_space >= EW_MIN_EPSILON && core_in_space <= EW_MAX_COORDINATE))
+        return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "%s, of %s[%zu], over the interval's length must be in [%g, %g]",
+                       emission->core > 0 ? "core" : "epsilon", name->list, name->index, EW_MIN_EPSILON, EW_MAX_COORDINATE);
+    if (packing->needs_reach && emission->reach == 0)
+        return refuse(name, "reach must be given in a frame without an interval", error);
+    double color[3];
+    for (int i = 0; i < 3; ++i)
+        color[i] = fmin(emission->color[i] * packing->exposure, EW_MAX_COLOR);
+    color_and_glow[0] = ew_pack(color, scaled);
+    if (!sources->has_glow) return EW_OK;
+    const double glow[3] = {core_in_space, fmin(reach, EW_MAX_COORDINATE), emission->sharpness};
+    color_and_glow[1] = ew_pack(glow, brightness_of(emission, core));
     return EW_OK;
 }
 
-ew_result ew_sources_pack(ew_sources *sources, const ew_ray_space *space, double alpha, ew_error *error)
+ew_result ew_sources_pack(ew_sources *sources, const ew_packing *packing, ew_error *error)
 {
     char *block = sources->data;
     const ew_weight_range *weights = sources->weights;
@@ -223,13 +308,27 @@ ew_result ew_sources_pack(ew_sources *sources, const ew_ray_space *space, double
         for (size_t i = 0; i < sources->counts[k]; ++i) {
             const char *source = (const char *)sources->lists[k] + i * kind->size;
             ew_source_name name = {kind->list_name, i};
-            ew_result result = kind->pack(source, &name, space, kind->weights ? weights++ : NULL, block, error);
+            ew_result result = kind->pack(source, &name, &packing->space, kind->weights ? weights++ : NULL, block, error);
             if (result == EW_OK)
-                result = pack_emission(ew_source_emission(kind, source), &name, alpha, space->length,
+                result = pack_emission(ew_source_emission(kind, source), &name, packing, sources,
                                        (ew_vec4 *)(void *)(block + kind->color_offset), error);
             if (result != EW_OK) return result;
-            block += kind->block_size;
+            block += ew_kind_units(kind, sources->has_glow) * sizeof(ew_vec4);
         }
     }
     return EW_OK;
+}
+
+void ew_sources_for_each_lit_ball(const ew_sources *sources, void (*take)(void *user, const ew_ball *ball), void *user)
+{
+    for (int k = 0; k < EW_KIND_COUNT; ++k) {
+        const ew_kind *kind = ew_kinds[k];
+        for (size_t i = 0; i < sources->counts[k]; ++i) {
+            const char *source = (const char *)sources->lists[k] + i * kind->size;
+            double reach = ew_source_emission(kind, source)->reach;
+            ew_ball ball = kind->bound(source);
+            ball.radius = reach > 0 ? ball.radius + reach : HUGE_VAL;
+            take(user, &ball);
+        }
+    }
 }

@@ -6,12 +6,15 @@
 
 #include "model/kinds.h"
 
+#include <stdbool.h>
+
 /* Starts as {0}. All arrays lie in one allocation; the blocks of all kinds and the weight pieces lie one after the other, as in
  * the uniform block. */
 typedef struct ew_sources {
     void *memory;
     size_t memory_size;
     double epsilon;
+    bool has_glow; /* the blocks have their last member */
     size_t counts[EW_KIND_COUNT];
     void *lists[EW_KIND_COUNT]; /* copies of the host's */
     ew_weight_range *weights;   /* one for each source of a kind that has weights, kind after kind */
@@ -33,8 +36,18 @@ void ew_sources_destroy(ew_sources *sources, const ew_allocator *allocator);
 /* What the sources are. */
 ew_mix ew_sources_mix(const ew_sources *sources);
 
-/* Brings the sources to ray space and fills `data`. Coefficients are scaled by `alpha` over the length of the interval, so that
- * an integral over s in [0, 1] is one in world units. */
-ew_result ew_sources_pack(ew_sources *sources, const ew_ray_space *space, double alpha, ew_error *error);
+/* How a frame's integral wants sources. */
+typedef struct ew_packing {
+    ew_ray_space space;
+    double coefficient_scale; /* on all coefficients */
+    double exposure;          /* on all colours */
+    bool needs_reach;         /* refuses a source without a reach */
+} ew_packing;
+
+/* Brings the sources to ray space and fills `data`. */
+ew_result ew_sources_pack(ew_sources *sources, const ew_packing *packing, ew_error *error);
+
+/* Calls `take` with a ball around all that each source can light: HUGE_VAL is the radius of what has no end. */
+void ew_sources_for_each_lit_ball(const ew_sources *sources, void (*take)(void *user, const ew_ball *ball), void *user);
 
 #endif

@@ -17,6 +17,12 @@ static ew_result check(const void *source, const ew_source_name *name, ew_error 
     return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "%s[%zu].radius must be finite and >= 0", name->list, name->index);
 }
 
+static ew_ball bound(const void *source)
+{
+    const ew_torus *torus = source;
+    return (ew_ball){{torus->center[0], torus->center[1], torus->center[2]}, torus->radius};
+}
+
 static ew_result pack(const void *source, const ew_source_name *name, const ew_ray_space *space, const ew_weight_range *weights,
                       void *block, ew_error *error)
 {
@@ -37,6 +43,7 @@ extern const ew_kind ew_torus_kind;
 const ew_kind ew_torus_kind = {
     EW_KIND_NAMES(torus, TORUS, tori),
     .check = check,
+    .bound = bound,
     .pack = pack,
     .adaptive_files = {ew_glsl_torus_side_glsl, ew_glsl_torus_core_glsl, ew_glsl_torus_panel_glsl, ew_glsl_torus_glsl},
     .sampling_files = {ew_glsl_torus_distance_glsl},

@@ -33,12 +33,39 @@ static ew_result check_integrator(const ew_frame_desc *frame, ew_error *error)
     return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "simpson_divisions must be even, from 2 to %d", EW_MAX_SIMPSON_DIVISIONS);
 }
 
+bool ew_is_world_frame(const ew_frame_desc *frame)
+{
+    return frame->interval_start == 0 && frame->interval_end == 0;
+}
+
+double ew_core_pixels_of(const ew_frame_desc *frame)
+{
+    if (frame->core_pixels != EW_CORE_PIXELS_DEFAULT) return frame->core_pixels;
+    return ew_is_world_frame(frame) ? 1.5 : 0;
+}
+
 static ew_result check_decay(const ew_frame_desc *frame, ew_error *error)
 {
+    if (ew_is_world_frame(frame)) {
+        if (frame->decay_alpha == 1 && frame->decay_beta == 1) return EW_OK;
+        return ew_fail(error, EW_ERROR_INVALID_ARGUMENT,
+                       "decay_alpha and decay_beta must be 1 without an interval: set interval_start and interval_end, too");
+    }
     if (!(frame->decay_alpha >= 0 && frame->decay_alpha <= EW_MAX_COEFFICIENT))
         return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "decay_alpha must be in [0, %g]", EW_MAX_COEFFICIENT);
     if (!(frame->decay_beta >= EW_MIN_BETA && frame->decay_beta <= EW_MAX_BETA))
         return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "decay_beta must be in [%g, %g]", EW_MIN_BETA, EW_MAX_BETA);
+    return EW_OK;
+}
+
+static ew_result check_look(const ew_frame_desc *frame, ew_error *error)
+{
+    double core_pixels = ew_core_pixels_of(frame);
+    if (!(core_pixels >= 0 && core_pixels <= EW_MAX_CORE_PIXELS))
+        return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "core_pixels must be in [0, %g], or EW_CORE_PIXELS_DEFAULT",
+                       EW_MAX_CORE_PIXELS);
+    if (!(frame->exposure >= 0 && frame->exposure <= EW_MAX_EXPOSURE))
+        return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "exposure must be in [0, %g]", EW_MAX_EXPOSURE);
     return EW_OK;
 }
 
@@ -48,8 +75,9 @@ ew_result ew_check_integral(const ew_frame_desc *frame, ew_error *error)
     const ew_view view = ew_view_of(frame);
     const ew_interval interval = {frame->interval_start, frame->interval_end};
     ew_result result = ew_check_view(&view, error);
-    if (result == EW_OK) result = ew_check_interval(&interval, &view, error);
+    if (result == EW_OK && !ew_is_world_frame(frame)) result = ew_check_interval(&interval, &view, error);
     if (result == EW_OK) result = check_decay(frame, error);
+    if (result == EW_OK) result = check_look(frame, error);
     return result == EW_OK ? check_integrator(frame, error) : result;
 }
 

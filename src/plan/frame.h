@@ -4,6 +4,14 @@
 
 #include "energywave.h"
 
+#include <stdbool.h>
+
+/* Whether the frame asks for the world integral: it has no interval. */
+bool ew_is_world_frame(const ew_frame_desc *frame);
+
+/* The frame's core_pixels, or the default of its integral. */
+double ew_core_pixels_of(const ew_frame_desc *frame);
+
 /* Checks what the integral depends on: view, interval, decay and integrator. */
 ew_result ew_check_integral(const ew_frame_desc *frame, ew_error *error);
 

@@ -1,6 +1,8 @@
 /* Shader permutations: see permutation.h. */
 #include "plan/permutation.h"
 
+#include "plan/frame.h"
+
 #include <string.h>
 
 _Static_assert(EW_PERMUTATION_FLAG_COUNT + EW_KIND_COUNT * EW_PERMUTATION_COUNT_BITS <= 32, "a key has too few bits");
@@ -23,14 +25,23 @@ unsigned ew_permutation_with_count(unsigned key, int kind, size_t count)
 
 static unsigned dither_of(const ew_frame_desc *frame)
 {
-    bool is_picture = frame->output == EW_OUTPUT_LERP || frame->output == EW_OUTPUT_ADD;
+    bool is_picture = frame->output == EW_OUTPUT_LERP || frame->output == EW_OUTPUT_ADD || frame->output == EW_OUTPUT_SOFT;
     if (!frame->dither || !is_picture || frame->encoding == EW_ENCODING_FLOAT) return 0;
     return EW_PERMUTATION_DITHER | (frame->encoding == EW_ENCODING_SRGB_8BIT ? (unsigned)EW_PERMUTATION_DITHER_SRGB : 0);
 }
 
+static unsigned field_of(const ew_mix *mix, const ew_frame_desc *frame)
+{
+    unsigned key = ew_is_world_frame(frame) ? EW_PERMUTATION_WORLD | EW_PERMUTATION_REACH : 0;
+    if (mix->has_reach) key |= EW_PERMUTATION_REACH;
+    if (mix->has_sharpness) key |= EW_PERMUTATION_SHARPNESS | EW_PERMUTATION_REACH;
+    if (ew_core_pixels_of(frame) > 0) key |= EW_PERMUTATION_CORE_PIXELS;
+    return key;
+}
+
 unsigned ew_permutation_of(const ew_mix *mix, const ew_frame_desc *frame)
 {
-    unsigned key = dither_of(frame);
+    unsigned key = dither_of(frame) | field_of(mix, frame);
     bool takes_weights = false;
     for (int kind = 0; kind < EW_KIND_COUNT; ++kind) {
         size_t count;
@@ -40,6 +51,7 @@ unsigned ew_permutation_of(const ew_mix *mix, const ew_frame_desc *frame)
     }
     if (mix->has_weights && takes_weights) key |= EW_PERMUTATION_WEIGHTS;
     if (frame->integrator == EW_INTEGRATOR_SIMPSON) key |= EW_PERMUTATION_SIMPSON;
+    if (frame->output == EW_OUTPUT_SOFT) key |= EW_PERMUTATION_SOFT;
     if (frame->output == EW_OUTPUT_LUMINANCE) key |= EW_PERMUTATION_LUMINANCE;
     if (frame->output == EW_OUTPUT_EVALUATIONS) key |= EW_PERMUTATION_EVALUATIONS;
     return key;
@@ -55,9 +67,10 @@ unsigned ew_permutation_with_depth(unsigned key, ew_depth_kind depth)
 
 bool ew_permutation_covers(unsigned key, unsigned other)
 {
-    const unsigned flags = ((1u << EW_PERMUTATION_FLAG_COUNT) - 1) & ~(unsigned)EW_PERMUTATION_WEIGHTS;
-    if ((key & flags) != (other & flags)) return false;
-    if (other & EW_PERMUTATION_WEIGHTS && !(key & EW_PERMUTATION_WEIGHTS)) return false;
+    /* What a shader may know without harm to sources that do not need it. */
+    const unsigned extras = EW_PERMUTATION_WEIGHTS | EW_PERMUTATION_REACH | EW_PERMUTATION_SHARPNESS;
+    const unsigned flags = ((1u << EW_PERMUTATION_FLAG_COUNT) - 1) & ~extras;
+    if ((key & flags) != (other & flags) || (other & extras & ~key) != 0) return false;
     for (int kind = 0; kind < EW_KIND_COUNT; ++kind)
         if (ew_permutation_count(key, kind) != ew_permutation_count(other, kind) &&
             ew_permutation_count(key, kind) != EW_ANY_COUNT)

@@ -16,7 +16,12 @@ enum {
     EW_PERMUTATION_DEPTH_MULTISAMPLE = 1 << 5, /* with EW_PERMUTATION_DEPTH */
     EW_PERMUTATION_DITHER = 1 << 6,
     EW_PERMUTATION_DITHER_SRGB = 1 << 7, /* with EW_PERMUTATION_DITHER */
-    EW_PERMUTATION_FLAG_COUNT = 8,
+    EW_PERMUTATION_WORLD = 1 << 8,       /* with EW_PERMUTATION_REACH */
+    EW_PERMUTATION_REACH = 1 << 9,
+    EW_PERMUTATION_CORE_PIXELS = 1 << 10,
+    EW_PERMUTATION_SHARPNESS = 1 << 11,
+    EW_PERMUTATION_SOFT = 1 << 12,
+    EW_PERMUTATION_FLAG_COUNT = 13,
 };
 
 /* Above the flags stand the counts of sources by kind, each in a field of EW_PERMUTATION_COUNT_BITS: a count up to

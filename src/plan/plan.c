@@ -2,7 +2,7 @@
 #include "plan/plan.h"
 
 #include "base/error.h"
-#include "model/limits.h"
+#include "model/bounds.h"
 #include "plan/frame.h"
 
 /* How much the four values of a panel may bend, relative to the integral, for the whole to keep the quality's error: measured,
@@ -19,23 +19,54 @@ static ew_viewport viewport_of(const ew_frame_desc *frame)
     return (ew_viewport){frame->viewport_x, frame->viewport_y, frame->viewport_width, frame->viewport_height};
 }
 
-/* Fills the plan's uniforms for a checked frame, but for the rays of the viewport's pixels. */
-static ew_result pack(ew_plan *plan, ew_sources *sources, const ew_frame_desc *frame, ew_error *error)
+/* Fills what depends on the viewport: the rays of its pixels, and how wide cores are at the least. */
+static void pack_viewport(ew_plan *plan, const ew_frame_desc *frame, const ew_interval *interval)
 {
     const ew_view view = ew_view_of(frame);
-    const ew_interval interval = {frame->interval_start, frame->interval_end};
-    const ew_ray_space space = {frame->view, interval.start, interval.end - interval.start};
-    double epsilon = sources->epsilon / space.length;
-    if (!(epsilon >= EW_MIN_EPSILON && epsilon <= EW_MAX_COORDINATE))
-        return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "epsilon over the interval's length must be in [%g, %g]",
-                       EW_MIN_EPSILON, EW_MAX_COORDINATE);
-    ew_result result = ew_check_rays(&view, &interval, error);
-    if (result == EW_OK) result = ew_sources_pack(sources, &space, frame->decay_alpha, error);
+    const ew_viewport viewport = viewport_of(frame);
+    struct ew_frame_block *block = &plan->uniforms.frame;
+    ew_pack_rays(&view, interval, &viewport, block);
+    double half = 0.5 * ew_core_pixels_of(frame), length = interval->end - interval->start;
+    double pixel = ew_pixel_height(&view, &viewport);
+    block->core_floor.x = ew_is_parallel(&view) ? 0 : (float)(half * pixel * half * pixel);
+    block->core_floor.z = ew_is_parallel(&view) ? (float)(half * pixel * half * pixel / (length * length)) : 0;
+}
+
+/* The interval of a checked frame: its own, or that of the world integral, which the sources decide. */
+static ew_interval interval_of(const ew_frame_desc *frame, const ew_sources *sources)
+{
+    const ew_view view = ew_view_of(frame);
+    if (ew_is_world_frame(frame)) return ew_lit_interval(sources, &view);
+    return (ew_interval){frame->interval_start, frame->interval_end};
+}
+
+static ew_packing packing_of(const ew_frame_desc *frame, const ew_interval *interval)
+{
+    double length = interval->end - interval->start;
+    bool is_world = ew_is_world_frame(frame);
+    /* d ds = (length d') (ds): over the interval's length, B is what it is in world units. The world integral is over the way
+     * itself, which is as long in the unit of d. */
+    return (ew_packing){.space = {frame->view, interval->start, length},
+                        .coefficient_scale = is_world ? 1 : frame->decay_alpha / length,
+                        .exposure = frame->exposure,
+                        .needs_reach = is_world};
+}
+
+/* Fills the plan's uniforms for a checked frame, but for what depends on the viewport. */
+static ew_result pack(ew_plan *plan, ew_sources *sources, const ew_frame_desc *frame, const ew_interval *interval,
+                      ew_error *error)
+{
+    const ew_view view = ew_view_of(frame);
+    const ew_packing packing = packing_of(frame, interval);
+    ew_result result = ew_check_rays(&view, interval, error);
+    if (result == EW_OK) result = ew_sources_pack(sources, &packing, error);
     if (result != EW_OK) return result;
 
     struct ew_frame_block *block = &plan->uniforms.frame;
-    ew_pack_ray_space(&space, block);
-    block->decay = (ew_vec4){(float)frame->decay_beta, (float)epsilon, (float)panel_tolerance(frame->quality), 0};
+    ew_pack_ray_space(&packing.space, block);
+    block->decay = (ew_vec4){(float)frame->decay_beta, (float)(sources->epsilon / packing.space.length),
+                             (float)panel_tolerance(frame->quality), 0};
+    block->core_floor.y = (float)(interval->start / packing.space.length);
     block->simpson.x = frame->simpson_divisions;
     for (int kind = 0; kind < EW_KIND_COUNT; ++kind)
         plan->uniforms.source_counts[kind] = (int)sources->counts[kind];
@@ -48,7 +79,11 @@ ew_result ew_plan_uniforms(ew_plan *plan, ew_sources *sources, const ew_frame_de
 {
     *plan = (ew_plan){0};
     ew_result result = ew_check_integral(frame, error);
-    return result == EW_OK ? pack(plan, sources, frame, error) : result;
+    if (result != EW_OK) return result;
+    const ew_interval interval = interval_of(frame, sources);
+    result = pack(plan, sources, frame, &interval, error);
+    if (result == EW_OK && frame->viewport_width > 0 && frame->viewport_height > 0) pack_viewport(plan, frame, &interval);
+    return result;
 }
 
 static ew_blend blend_of(ew_output output)
@@ -58,6 +93,8 @@ static ew_blend blend_of(ew_output output)
         return EW_BLEND_OVER;
     case EW_OUTPUT_ADD:
         return EW_BLEND_ADD;
+    case EW_OUTPUT_SOFT:
+        return EW_BLEND_SOFT;
     default:
         return EW_BLEND_REPLACE;
     }
@@ -68,17 +105,29 @@ ew_result ew_plan_frame(ew_plan *plan, ew_sources *sources, const ew_mix *mix, c
     *plan = (ew_plan){0};
     ew_result result = ew_check_integral(frame, error);
     if (result == EW_OK) result = ew_check_target(frame, error);
-    if (result == EW_OK) result = pack(plan, sources, frame, error);
+    if (result != EW_OK) return result;
+    const ew_interval interval = interval_of(frame, sources);
+    result = pack(plan, sources, frame, &interval, error);
     if (result != EW_OK) return result;
 
-    const ew_view view = ew_view_of(frame);
-    const ew_interval interval = {frame->interval_start, frame->interval_end};
     const ew_viewport viewport = viewport_of(frame);
     const ew_mix current = ew_sources_mix(sources);
-    ew_pack_rays(&view, &interval, &viewport, &plan->uniforms.frame);
+    pack_viewport(plan, frame, &interval);
     plan->permutation = ew_permutation_of(mix ? mix : &current, frame);
     plan->target = (ew_target){frame->framebuffer, viewport, blend_of(frame->output), frame->encoding == EW_ENCODING_SRGB_8BIT};
     plan->depth = (ew_depth_request){frame->depth_source, frame->depth_texture};
     plan->skips_restore = frame->skip_restore;
+    return EW_OK;
+}
+
+ew_result ew_plan_bounds(const ew_sources *sources, const ew_frame_desc *frame, ew_bounds *bounds, ew_error *error)
+{
+    ew_result result = ew_check_integral(frame, error);
+    if (result == EW_OK) result = ew_check_target(frame, error);
+    if (result != EW_OK) return result;
+    const ew_view view = ew_view_of(frame);
+    const ew_interval interval = {frame->interval_start, frame->interval_end};
+    const ew_viewport viewport = viewport_of(frame);
+    *bounds = ew_find_bounds(sources, &view, ew_is_world_frame(frame) ? NULL : &interval, &viewport);
     return EW_OK;
 }

@@ -13,6 +13,7 @@ typedef enum ew_blend {
     EW_BLEND_REPLACE,
     EW_BLEND_OVER, /* premultiplied */
     EW_BLEND_ADD,  /* alpha is left alone */
+    EW_BLEND_SOFT, /* the target pales by the colour; alpha is left alone */
 } ew_blend;
 
 /* Where and how to draw. */
@@ -45,5 +46,8 @@ ew_result ew_plan_uniforms(ew_plan *plan, ew_sources *sources, const ew_frame_de
 /* Plans the drawing of `sources` as `frame` says, with the shader for `mix`; NULL: for the sources. The plan is valid until the
  * sources change or are planned again. */
 ew_result ew_plan_frame(ew_plan *plan, ew_sources *sources, const ew_mix *mix, const ew_frame_desc *frame, ew_error *error);
+
+/* Says what the sources can light of a frame: see ew_get_bounds. */
+ew_result ew_plan_bounds(const ew_sources *sources, const ew_frame_desc *frame, ew_bounds *bounds, ew_error *error);
 
 #endif

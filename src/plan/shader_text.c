@@ -66,13 +66,19 @@ static void add_version(ew_shader_text *text, const ew_dialect *dialect, unsigne
         add(text, "#version 300 es\nprecision highp float;\nprecision highp int;\nprecision highp sampler2D;\n");
 }
 
+/* How many vec4 a source of the kind takes in the shader of `key`. */
+static size_t units_of(int kind, unsigned key)
+{
+    return ew_kind_units(ew_kinds[kind], key & EW_PERMUTATION_REACH);
+}
+
 /* How many vec4 the sources take as varyings; 0 where their number is not known, or too large. */
 static size_t source_varyings(const ew_dialect *dialect, unsigned key)
 {
     size_t units = 0;
     for (int kind = 0; kind < EW_KIND_COUNT; ++kind) {
         if (ew_permutation_count(key, kind) == EW_ANY_COUNT) return 0;
-        units += ew_permutation_count(key, kind) * ew_kind_units(ew_kinds[kind]);
+        units += ew_permutation_count(key, kind) * units_of(kind, key);
     }
     size_t head = sizeof(struct ew_uniform_head) / sizeof(ew_vec4);
     return head + units <= (size_t)dialect->max_varying_vectors ? units : 0;
@@ -81,7 +87,8 @@ static size_t source_varyings(const ew_dialect *dialect, unsigned key)
 static void add_defines(ew_shader_text *text, const ew_dialect *dialect, unsigned key)
 {
     static const char *const flags[EW_PERMUTATION_FLAG_COUNT] = {
-        "WEIGHTS", "DEPTH", "SIMPSON", "LUMINANCE", "EVALUATIONS", "DEPTH_MULTISAMPLE", "DITHER", "DITHER_SRGB"};
+        "WEIGHTS", "DEPTH", "SIMPSON",     "LUMINANCE", "EVALUATIONS", "DEPTH_MULTISAMPLE", "DITHER", "DITHER_SRGB",
+        "WORLD",   "REACH", "CORE_PIXELS", "SHARPNESS", "SOFT"};
     add_made(text, "#define EW_SOURCE_DATA_SIZE %zu\n", dialect->capacity);
     for (int i = 0; i < EW_PERMUTATION_FLAG_COUNT; ++i)
         if (key & 1u << i) add_made(text, "#define EW_%s\n", flags[i]);
@@ -106,9 +113,9 @@ static void add_start(ew_shader_text *text, int kind, unsigned key)
     for (int before = 0; before < kind; ++before) {
         unsigned count = ew_permutation_count(key, before);
         if (count != EW_ANY_COUNT)
-            known += count * ew_kind_units(ew_kinds[before]);
+            known += count * units_of(before, key);
         else
-            add_made(text, "EW_%s_COUNT * %zu + ", ew_kinds[before]->upper_name, ew_kind_units(ew_kinds[before]));
+            add_made(text, "EW_%s_COUNT * %zu + ", ew_kinds[before]->upper_name, units_of(before, key));
     }
     add_made(text, "%zu", known);
 }
@@ -126,10 +133,10 @@ static void add_reader(ew_shader_text *text, int index, unsigned key)
     add_made(text, "#define EW_%s_START (", kind->upper_name);
     add_start(text, index, key);
     add_made(text, ")\new_%s_block ew_%s(int i)\n{\n    return ew_%s_block(", kind->name, kind->name, kind->name);
-    for (size_t unit = 0; unit < ew_kind_units(kind); ++unit)
+    for (size_t unit = 0; unit < units_of(index, key); ++unit)
         add_made(text, "%sew_source(EW_%s_START + %zu, %zu, EW_%s_COUNT, i)", unit > 0 ? ", " : "", kind->upper_name, unit,
-                 ew_kind_units(kind), kind->upper_name);
-    add_made(text, ");\n}\n");
+                 units_of(index, key), kind->upper_name);
+    add_made(text, "%s);\n}\n", key & EW_PERMUTATION_REACH ? "" : ", ew_plain_glow()");
 }
 
 static void add_readers(ew_shader_text *text, unsigned key)
@@ -178,6 +185,7 @@ static void add_light(ew_shader_text *text, unsigned key, const ew_integrator_te
     add_file(text, ew_glsl_blocks_glsl);
     add_readers(text, key);
     add_file(text, ew_glsl_segment_glsl);
+    add_file(text, ew_glsl_core_glsl);
     add_file(text, ew_glsl_components_glsl);
     if (key & EW_PERMUTATION_WEIGHTS) add_file(text, ew_glsl_weight_glsl);
     if (integrator->is_sampling) {

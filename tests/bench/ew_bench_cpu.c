@@ -111,10 +111,15 @@ static void make_sources(ew_sources_desc *sources)
     static const double weights[] = {1, 0.2, 0.6, 1};
     for (int i = 0; i < SOURCES_OF_A_KIND; i++) {
         double x = 0.1 * i - 0.8;
-        points[i] = (ew_point){{x, 0, 0}, 1, {1, 1, 1}};
-        lines[i] = (ew_line){{x, 0, 0}, {x, 1, 0}, 1, {1, 1, 1}};
-        tori[i] = (ew_torus){{x, 0, 0}, {x, 0, 1}, 0.5, 1, {1, 1, 1}};
-        curves[i] = (ew_curve){{{x, 0, 0}, {1, 1, 0}, {0, 0, 1}}, {0, 1}, weights, 4, 1, {1, 1, 1}};
+        points[i] = (ew_point){.position = {x, 0, 0}, .coefficient = 1, .color = {1, 1, 1}};
+        lines[i] = (ew_line){.position = {x, 0, 0}, .direction = {x, 1, 0}, .coefficient = 1, .color = {1, 1, 1}};
+        tori[i] = (ew_torus){.center = {x, 0, 0}, .axis = {x, 0, 1}, .radius = 0.5, .coefficient = 1, .color = {1, 1, 1}};
+        curves[i] = (ew_curve){.polynomial = {{x, 0, 0}, {1, 1, 0}, {0, 0, 1}},
+                               .domain = {0, 1},
+                               .weights = weights,
+                               .weight_count = 4,
+                               .coefficient = 1,
+                               .color = {1, 1, 1}};
     }
     *sources = (ew_sources_desc){
         .points = points,

@@ -8,9 +8,17 @@ cases=0
 enters bad_input
 mkdir out
 
-# scene MEMBERS: writes scene.json, a valid scene to which MEMBERS are added.
-scene() {
+# world_scene MEMBERS: writes scene.json, a valid scene of the world integral to which MEMBERS are added.
+world_scene() {
     printf '{ "camera": { "eye": [0, 0, 8], "target": [0, 0, 0] }, %s }\n' "$1" > scene.json
+}
+
+# scene MEMBERS: writes scene.json, a valid scene of the papers' integral to which MEMBERS are added.
+scene() {
+    case $1 in
+    *'"interval"'*) world_scene "$1" ;;
+    *) world_scene "\"interval\": { \"start\": 3, \"end\": 15 }, $1" ;;
+    esac
 }
 
 # refuses PLACE ARGUMENT...: expects ew-render to refuse these arguments and to name PLACE, a basic regular expression.
@@ -29,6 +37,12 @@ refuses() {
 # refuses_scene PLACE MEMBERS: expects a scene with these members to be refused.
 refuses_scene() {
     scene "$2"
+    refuses "scene.json: $1" scene.json -o out/picture.png
+}
+
+# refuses_world PLACE MEMBERS: the same for a scene of the world integral.
+refuses_world() {
+    world_scene "$2"
     refuses "scene.json: $1" scene.json -o out/picture.png
 }
 
@@ -52,6 +66,10 @@ refuses_text 'line 1, column [0-9]*' '{ "epsilon": NaN }'
 refuses_text 'line 1, column [0-9]*' '{ "epsilon": Infinity }'
 refuses_text 'line 1, column [0-9]*' '{ "epsilon": 1e999 }'
 refuses_text 'line 1, column [0-9]*' '{ "epsilon": 1, "epsilon": 2 }'
+# shellcheck disable=SC2059 # a byte order mark, and zeros
+printf '\377\376{\0}\0' > scene.json
+refuses 'scene\.json' scene.json -o out/picture.png
+grep -q UTF-16 stderr || complain "UTF-16 is not named: $(cat stderr)"
 printf '[1, 2]' > scene.json
 refuses 'scene\.json' scene.json -o out/picture.png
 
@@ -117,6 +135,33 @@ refuses_text 'camera\.fov_y_degrees' '{ "camera": { "eye": [0, 0, 8], "target": 
 too_many=$(yes '{ "position": [0, 0, 0] },' | head -n 2032)
 refuses_scene 'points' "\"points\": [$too_many { \"position\": [0, 0, 0] }]"
 
+# ---- The world integral, and light with a reach
+point='"position": [0, 0, 0]'
+refuses_world 'decay' '"decay": { "alpha": 1 }'
+refuses_world 'core_pixels' '"core_pixels": 65'
+refuses_world 'exposure' '"exposure": -1'
+refuses_world 'points\[0\]\.reach' "\"points\": [{ $point }]"
+refuses_world 'points\[1\]\.reach' "\"points\": [{ $point, \"reach\": 1 }, { $point, \"brightness\": 1 }]"
+refuses_world 'points\[0\]\.reach' "\"points\": [{ $point, \"core\": 2, \"reach\": 2 }]"
+refuses_world 'points\[0\]\.reach' "\"epsilon\": 2, \"points\": [{ $point, \"reach\": 1 }]"
+refuses_world 'points\[0\]\.brightness' "\"points\": [{ $point, \"reach\": 1, \"brightness\": 1, \"coefficient\": 1 }]"
+refuses_world 'points\[0\]\.sharpness' "\"points\": [{ $point, \"reach\": 1, \"sharpness\": 0.5 }]"
+refuses_scene 'points\[0\]\.brightness' "\"points\": [{ $point, \"brightness\": 1 }]"
+refuses_scene 'points\[0\]\.sharpness' "\"points\": [{ $point, \"sharpness\": 2 }]"
+
+# ---- Paths
+refuses_world 'paths\[0\]\.points' '"paths": [{ "reach": 1 }]'
+refuses_world 'paths\[0\]\.points' '"paths": [{ "points": [[0, 0, 0]], "reach": 1 }]'
+refuses_world 'paths\[0\]\.points\[1\]' '"paths": [{ "points": [[0, 0, 0], [1, 0]], "reach": 1 }]'
+refuses_world 'paths\[0\]\.points' '"paths": [{ "kind": "bspline", "points": [[0, 0, 0], [1, 0, 0]], "reach": 1 }]'
+refuses_world 'paths\[0\]\.points' '"paths": [{ "kind": "bezier", "points": [[0, 0, 0], [1, 0, 0]], "reach": 1 }]'
+refuses_world 'paths\[0\]\.points' '"paths": [{ "closed": true, "points": [[0, 0, 0], [1, 0, 0]], "reach": 1 }]'
+refuses_world 'paths\[0\]\.closed' \
+    '"paths": [{ "kind": "bezier", "closed": true, "points": [[0, 0, 0], [1, 0, 0], [1, 1, 0], [2, 1, 0]], "reach": 1 }]'
+refuses_world 'paths\[0\]\.closed' '"paths": [{ "closed": 1, "points": [[0, 0, 0], [1, 0, 0]], "reach": 1 }]'
+refuses_world 'paths\[0\]\.kind' '"paths": [{ "kind": "spiral", "points": [[0, 0, 0], [1, 0, 0]], "reach": 1 }]'
+refuses_world 'paths\[0\]\.weights' '"paths": [{ "points": [[0, 0, 0], [1, 0, 0]], "weights": [], "reach": 1 }]'
+
 # ---- Options
 scene '"points": [{ "position": [0, 0, 0] }]'
 for size in 0x10 10x0 0x0 10 10x 10x10x10 -5x5 5x-5 100000x100000 9999999999x1 axb ''; do
@@ -139,6 +184,7 @@ refuses 'scene\.json' scene.json
 refuses 'out/picture\.jpg' scene.json -o out/picture.jpg
 refuses 'out/picture' scene.json -o out/picture
 refuses 'out/light\.png' scene.json --luminance out/light.png
+refuses '-' scene.json --luminance -
 refuses 'out/light\.pfm' scene.json -o out/light.pfm --luminance out/light.pfm
 refuses 'nowhere/picture\.png' scene.json -o nowhere/picture.png --size 16x9
 refuses 'nowhere/light\.pfm' scene.json --luminance nowhere/light.pfm --size 16x9

@@ -62,7 +62,8 @@ is 'the PFM header' "PF 40 20 -1.0" "$(head -n 3 out/box.pfm | tr '\n' ' ' | sed
 
 # The luminance of a point is largest at the point, the same to its left and right, and independent of other outputs.
 cat > point.json << 'JSON'
-{ "camera": { "eye": [0, 0, 8], "target": [0, 0, 0] }, "points": [{ "position": [0, 0, 0] }] }
+{ "camera": { "eye": [0, 0, 8], "target": [0, 0, 0] }, "interval": { "start": 0.1, "end": 100 },
+  "points": [{ "position": [0, 0, 0] }] }
 JSON
 renders point.json --luminance out/point.pfm --size 41x21
 is 'the size of a luminance' '41 21 1' "$("$probe" size out/point.pfm)"
@@ -78,6 +79,52 @@ renders wall.json --luminance out/wall.pfm --size 41x21
     awk '{ b[NR] = $1 } END { exit !(0 < b[2] && b[2] < 0.9 * b[1]) }' || complain 'light shines through a wall'
 renders box.json --luminance out/dark.pfm --size 41x21
 is 'the luminance of nothing' 0 "$("$probe" pixel out/dark.pfm 20 10)"
+
+# A picture may go to standard output. The same scene, saved with a byte order mark, is the same picture.
+renders box.json -o out/box.png --size 40x20
+"$ew_render" box.json -o - --size 40x20 > out/printed.png 2> stderr < /dev/null || complain 'no picture goes to standard output'
+cmp -s out/box.png out/printed.png || complain 'the picture on standard output is another one'
+is 'the number of lines on standard error beside a picture' 1 "$(wc -l < stderr)"
+{ printf '\357\273\277' && cat box.json; } > marked.json
+renders marked.json -o out/printed.png --size 40x20
+cmp -s out/box.png out/printed.png || complain 'a byte order mark changes the picture'
+rm out/printed.png
+if [ -c /dev/full ]; then
+    "$ew_render" box.json -o - --size 40x20 > /dev/full 2> stderr < /dev/null
+    is 'the exit status on a full disk' 2 $?
+    tail -n 1 stderr | grep -q '^ew-render: -: ' || complain "on a full disk it says: $(cat stderr)"
+fi
+
+# Each composite draws, and light that is exposed more is brighter.
+cat > world.json << 'JSON'
+{ "camera": { "eye": [0, 0, 8], "target": [0, 0, 0] }, "background": [0.1, 0.1, 0.1], "composite": "soft", "exposure": 1,
+  "core_pixels": 0,
+  "points": [{ "position": [0, 0, 0], "core": 0.1, "reach": 2, "brightness": 0.5, "color": [1, 1, 1] }],
+  "paths": [{ "points": [[-3, 1, 0], [3, 1, 0]], "core": 0.05, "reach": 1, "brightness": 0.5, "sharpness": 2 }] }
+JSON
+renders world.json -o out/soft.pfm --size 41x21
+sed 's/"exposure": 1/"exposure": 2/' world.json > bright.json
+renders bright.json -o out/bright.pfm --size 41x21
+for composite in lerp add; do
+    sed "s/soft/$composite/" world.json > $composite.json
+    renders $composite.json -o out/$composite.pfm --size 41x21
+done
+# Through the middle of the orb B is its brightness, and the light is white.
+for picture in soft bright lerp add; do
+    "$probe" pixel out/$picture.pfm 20 10
+done | awk '{ c[NR] = $1 } END {
+    b = c[4] - 0.1
+    if (b < 0.4995 || b > 0.5005) exit 1
+    if (c[1] < 0.999 * (1 - 0.9 * exp(-b)) || c[1] > 1.001 * (1 - 0.9 * exp(-b))) exit 1
+    if (c[2] < 0.999 * (1 - 0.9 * exp(-2 * b)) || c[2] > 1.001 * (1 - 0.9 * exp(-2 * b))) exit 1
+    if (c[3] < 0.999 * ((1 - b) * 0.1 + b) || c[3] > 1.001 * ((1 - b) * 0.1 + b)) exit 1
+}' || complain 'the composites are not what the scene format says'
+rm out/soft.pfm out/bright.pfm out/lerp.pfm out/add.pfm
+
+# The scene that the reference of the format shows is one.
+awk '/^```json$/ { inside = 1; next } /^```$/ { inside = 0 } inside' "$scenes/../../docs/scene-format.md" > shown.json
+renders shown.json -o out/shown.png --size 41x21
+rm out/shown.png
 
 # An existing output is replaced, and gets the permissions of a new file.
 umask 022

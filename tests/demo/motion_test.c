@@ -137,6 +137,17 @@ static void the_interval_stays_around_what_is_looked_at(void **state)
     check_close(seen.interval_start, 3, 0);
 }
 
+static void a_scene_of_the_world_integral_stays_without_an_interval(void **state)
+{
+    (void)state;
+    camera_control control = {0};
+    demo_scene world = scene;
+    world.interval_start = world.interval_end = 0;
+    camera_control_approach(&control, &world, 0.5);
+    demo_scene seen = camera_control_scene(&control, &world, true);
+    assert_true(scene_is_world(&seen));
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -147,6 +158,7 @@ int main(void)
         cmocka_unit_test(a_look_to_the_right_turns_about_the_eye),
         cmocka_unit_test(a_flight_goes_right_up_and_forward),
         cmocka_unit_test(the_interval_stays_around_what_is_looked_at),
+        cmocka_unit_test(a_scene_of_the_world_integral_stays_without_an_interval),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

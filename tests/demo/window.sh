@@ -71,7 +71,8 @@ closes
 
 # A scene file is shown, then replaced by a bad one, then by another good one.
 scene() {
-    printf '{ "camera": { "eye": [0,0,8], "target": [0,0,0] }, "points": [{ "position": [%s,0,0] }] }' "$1" > next.json
+    printf '{ "camera": { "eye": [0,0,8], "target": [0,0,0] }, "interval": { "start": 0.1, "end": 100 },
+        "points": [{ "position": [%s,0,0] }] }' "$1" > next.json
     mv next.json scene.json
 }
 scene 1

@@ -254,7 +254,7 @@ static void try_other_calls(fuzzer *f, const shader_mix *sources, const ew_frame
     check_error(f, result, &error, &untouched);
     require(f, (result == EW_OK) == (buffer != 0), "the uniform buffer's name is neither set nor left alone");
     error = untouched;
-    result = ew_get_shader_text(f->effect, &mix, frame->integrator, &text, &error);
+    result = ew_get_shader_text(f->effect, &mix, frame, &text, &error);
     check_error(f, result, &error, &untouched);
     require(f, (result == EW_OK) == (text != NULL), "the shader's text is neither set nor left alone");
     read_target(f, f->after);

@@ -34,6 +34,20 @@ static void check_mesh(const demo_scene *scene)
     opaque_free_mesh(&mesh);
 }
 
+/* A path has its points, and in the world integral light has its reach. */
+static void check_sources(const demo_scene *scene)
+{
+    const ew_sources_desc *sources = &scene->sources;
+    require(sources->epsilon > 0);
+    for (size_t i = 0; i < sources->path_count; i++) {
+        const ew_path *path = &sources->paths[i];
+        double core = path->core > 0 ? path->core : sources->epsilon;
+        require(path->points && path->point_count >= 2);
+        require(path->reach > core || (path->reach == 0 && !scene_is_world(scene)));
+        require(path->coefficient == 0 || path->brightness == 0);
+    }
+}
+
 static void check_refusal(const char *message, size_t size)
 {
     static const char start[] = "name: ";
@@ -52,7 +66,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         check_refusal(message, sizeof message);
         return 0;
     }
-    require(scene.interval_start < scene.interval_end && scene.sources.epsilon > 0);
+    require(scene_is_world(&scene) || scene.interval_start < scene.interval_end);
+    check_sources(&scene);
     if (scene.opaque_count <= FEW_SHAPES) check_mesh(&scene);
     scene_free(&scene);
     return 0;

@@ -60,9 +60,11 @@ void make_field(field *f, size_t points, size_t lines, size_t tori, size_t curve
     *f = (field){.weights = {1, 0.2, 0.6, 1}};
     for (int i = 0; i < FIELD_SIZE; i++) {
         double place = (i - 3.5) / 2, next = place + 0.6;
-        f->points[i] = (ew_point){{place, 0.3 - place, 0.2 * i}, 0.1, {1, 0.1 * i, 0.2}};
-        f->lines[i] = (ew_line){{place, 1, 0}, {0.3 * i, 1, 0.5}, 0.1, {0.2, 1, 0.1 * i}};
-        f->tori[i] = (ew_torus){{0, place, 0.1}, {1, 0.2 * i, 1}, 0.9, 0.1, {0.1 * i, 0.3, 1}};
+        f->points[i] = (ew_point){.position = {place, 0.3 - place, 0.2 * i}, .coefficient = 0.1, .color = {1, 0.1 * i, 0.2}};
+        f->lines[i] = (ew_line){
+            .position = {place, 1, 0}, .direction = {0.3 * i, 1, 0.5}, .coefficient = 0.1, .color = {0.2, 1, 0.1 * i}};
+        f->tori[i] = (ew_torus){
+            .center = {0, place, 0.1}, .axis = {1, 0.2 * i, 1}, .radius = 0.9, .coefficient = 0.1, .color = {0.1 * i, 0.3, 1}};
         f->curves[i] = (ew_curve){.polynomial = {{place, -1, 0}, {next, 2, 0.3}, {-1, 0.2 * place, 1}},
                                   .domain = {0, 1},
                                   .weights = weighted ? f->weights : NULL,
@@ -70,7 +72,15 @@ void make_field(field *f, size_t points, size_t lines, size_t tori, size_t curve
                                   .coefficient = 0.1,
                                   .color = {1, 1, 0.1 * i}};
     }
-    f->desc = (ew_sources_desc){f->points, points, f->lines, lines, f->tori, tori, f->curves, curves, 0.02};
+    f->desc = (ew_sources_desc){.points = f->points,
+                                .point_count = points,
+                                .lines = f->lines,
+                                .line_count = lines,
+                                .tori = f->tori,
+                                .torus_count = tori,
+                                .curves = f->curves,
+                                .curve_count = curves,
+                                .epsilon = 0.02};
 }
 
 double picture_difference(const picture *actual, const picture *expected)

@@ -89,7 +89,11 @@ static GLuint build_for(ew_effect *effect, const ew_mix *mix, ew_integrator inte
 {
     const char *text = NULL;
     ew_error error = {.text = ""};
-    if (ew_get_shader_text(effect, mix, integrator, &text, &error) != EW_OK) fail_msg("%s", error.text);
+    ew_frame_desc frame = EW_FRAME_DEFAULTS;
+    frame.interval_start = 1;
+    frame.interval_end = 2;
+    frame.integrator = integrator;
+    if (ew_get_shader_text(effect, mix, &frame, &text, &error) != EW_OK) fail_msg("%s", error.text);
     return build_host_program(text, main_text);
 }
 
@@ -324,9 +328,10 @@ static void bad_arguments_are_errors_that_change_nothing(void **state)
     const char *text = "unchanged";
     unsigned buffer = 7;
     ew_error error = {.text = ""};
-    assert_int_equal(ew_get_shader_text(NULL, NULL, EW_INTEGRATOR_ADAPTIVE, &text, &error), EW_ERROR_INVALID_ARGUMENT);
-    assert_int_equal(ew_get_shader_text(effect, NULL, EW_INTEGRATOR_ADAPTIVE, NULL, &error), EW_ERROR_INVALID_ARGUMENT);
-    assert_int_equal(ew_get_shader_text(effect, NULL, (ew_integrator)2, &text, &error), EW_ERROR_INVALID_ARGUMENT);
+    assert_int_equal(ew_get_shader_text(NULL, NULL, &frame, &text, &error), EW_ERROR_INVALID_ARGUMENT);
+    assert_int_equal(ew_get_shader_text(effect, NULL, &frame, NULL, &error), EW_ERROR_INVALID_ARGUMENT);
+    frame.integrator = (ew_integrator)2;
+    assert_int_equal(ew_get_shader_text(effect, NULL, &frame, &text, &error), EW_ERROR_INVALID_ARGUMENT);
     assert_non_null(strstr(error.text, "integrator"));
     assert_string_equal(text, "unchanged");
     assert_int_equal(ew_update_uniform_buffer(NULL, &frame, &buffer, &error), EW_ERROR_INVALID_ARGUMENT);

@@ -116,16 +116,18 @@ static void set_points(life *l, size_t points)
     assert_memory_not_equal(&before, &after, sizeof before);
 }
 
+static const ew_frame_desc frame_of_text = EW_FRAME_DEFAULTS;
+
 static void get_text(life *l, const ew_mix *mix, const char **text)
 {
     static char copy[1 << 17];
     const char *before = *text;
     ew_error error = {.text = ""};
     if (before) memcpy(copy, before, strlen(before) + 1);
-    if (!has_failed(l, ew_get_shader_text(l->effect, mix, EW_INTEGRATOR_ADAPTIVE, text, &error), &error)) return;
+    if (!has_failed(l, ew_get_shader_text(l->effect, mix, &frame_of_text, text, &error), &error)) return;
     assert_ptr_equal(*text, before);
     if (before) assert_string_equal(before, copy);
-    assert_int_equal(ew_get_shader_text(l->effect, mix, EW_INTEGRATOR_ADAPTIVE, text, &error), EW_OK);
+    assert_int_equal(ew_get_shader_text(l->effect, mix, &frame_of_text, text, &error), EW_OK);
 }
 
 static void any_allocation_may_fail_and_changes_nothing(void **state)
@@ -235,7 +237,7 @@ static void a_thousand_lives_leave_no_object_and_no_byte(void **state)
     enum { LIVES = 1000 };
     watched_gl_start(&watched, context);
     ration given = {.refused = -1};
-    const ew_point point = {{0, 0, 0}, 0.1, {1, 1, 1}};
+    const ew_point point = {.coefficient = 0.1, .color = {1, 1, 1}};
     ew_sources_desc sources = {.points = &point, .epsilon = 0.1};
     ew_frame_desc frame = make_frame(target, EW_OUTPUT_ADD);
     frame.depth_source = EW_DEPTH_FRAMEBUFFER; /* whose copy has objects of its own */
@@ -247,7 +249,7 @@ static void a_thousand_lives_leave_no_object_and_no_byte(void **state)
         assert_int_equal(create_effect(&given, &effect, NULL), EW_OK);
         assert_int_equal(ew_set_sources(effect, &sources, NULL), EW_OK);
         assert_int_equal(ew_draw(effect, &frame, NULL), EW_OK);
-        assert_int_equal(ew_get_shader_text(effect, NULL, EW_INTEGRATOR_ADAPTIVE, &text, NULL), EW_OK);
+        assert_int_equal(ew_get_shader_text(effect, NULL, &frame_of_text, &text, NULL), EW_OK);
         assert_int_equal(ew_update_uniform_buffer(effect, &frame, &buffer, NULL), EW_OK);
         assert_true(given.live > 0 && watched.objects > 0);
         ew_destroy_effect(effect);

@@ -137,7 +137,11 @@ static void a_general_shader_draws_any_sources_and_the_same_light(void **state)
     ew_effect *general = create_effect(), *exact = create_effect();
     ew_frame_desc frame = make_frame(target, EW_OUTPUT_ADD);
     frame.quality = EW_QUALITY_ERROR_1E_4; /* rounding may decide which panels the quadrature takes */
-    const ew_mix any = {EW_ANY_COUNT, EW_ANY_COUNT, EW_ANY_COUNT, EW_ANY_COUNT, 1};
+    const ew_mix any = {.point_count = EW_ANY_COUNT,
+                        .line_count = EW_ANY_COUNT,
+                        .torus_count = EW_ANY_COUNT,
+                        .curve_count = EW_ANY_COUNT,
+                        .has_weights = 1};
     prepare_until_ready(general, &any, &frame);
     for (size_t i = 0; i < sizeof mixes / sizeof mixes[0]; i++) {
         field f;

@@ -184,7 +184,7 @@ static void the_frame_block_counts_and_scales(void **state)
     const double eye[3] = {0};
     ew_frame_desc frame = random_frame(eye);
     frame.simpson_divisions = 128;
-    ew_point points[2] = {{{0}, 1, {0}}, {{0}, 1, {0}}};
+    ew_point points[2] = {{.coefficient = 1}, {.coefficient = 1}};
     ew_curve curves[3] = {{.domain = {0, 1}}, {.domain = {0, 1}}, {.domain = {0, 1}}};
     ew_sources_desc desc = {.points = points, .point_count = 2, .curves = curves, .curve_count = 3, .epsilon = 0.01};
     ew_plan plan;

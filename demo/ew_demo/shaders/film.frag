@@ -4,6 +4,7 @@
 
 uniform sampler2D opaque_scene;
 uniform sampler2D energy;
+uniform bool soft;
 uniform int samples_per_axis;
 uniform bool graded;
 uniform float sensitivity; // to the energy: about the reciprocal of its mean luminance
@@ -45,7 +46,8 @@ void main()
         for (int x = 0; x < samples_per_axis; ++x) {
             vec3 behind = texelFetch(opaque_scene, first + ivec2(x, y), 0).rgb;
             vec4 light = texelFetch(energy, first + ivec2(x, y), 0);
-            sum += graded ? developed(light.rgb, behind) : behind * (1.0 - light.a) + light.rgb;
+            vec3 veil = soft ? light.rgb : light.aaa;
+            sum += graded ? developed(light.rgb, behind) : behind * (1.0 - veil) + light.rgb;
         }
     vec3 mean = sum / float(samples_per_axis * samples_per_axis);
     result = vec4(encoded ? srgb_encoded(mean) + (graded ? dither(gl_FragCoord.xy) / 255.0 : 0.0) : mean, 1.0);

@@ -1,0 +1,57 @@
+// Cores, in which the field is constant, and reaches, at which it ends. `glow` is a source's: see layout.glsl.
+
+// The view depth at s is x + s y, in units of ray space.
+vec2 ew_view_depth;
+
+#ifdef EW_CORE_PIXELS
+// The squared radius that a core has at the eye.
+float ew_core_radius2(vec4 glow)
+{
+    return glow.x * glow.x + ew_frame.core_floor.z;
+}
+
+// The squared growth of its radius with s.
+float ew_core_growth2()
+{
+    return ew_frame.core_floor.x * ew_view_depth.y * ew_view_depth.y;
+}
+
+// The squared radius at s: r^2 + (k / 2 rho z)^2, so that no core is thinner than the pixels it is seen by.
+float ew_core2(vec4 glow, float s)
+{
+    float depth = ew_view_depth.x + s * ew_view_depth.y;
+    return ew_core_radius2(glow) + ew_frame.core_floor.x * depth * depth;
+}
+#else
+float ew_core2(vec4 glow, float s)
+{
+    return glow.x * glow.x;
+}
+#endif
+
+// 1 / R; 0 without a reach.
+float ew_inverse_reach(vec4 glow)
+{
+#ifdef EW_REACH
+    return glow.y > 0.0 ? 1.0 / glow.y : 0.0;
+#else
+    return 0.0;
+#endif
+}
+
+// The part of [0, end] on which b2 + k (s - s0)^2 < radius^2; empty, x >= y, where there is none.
+vec2 ew_chord_of(float b2, float k, float s0, float radius, float end)
+{
+    float half_chord = sqrt(max((radius - sqrt(b2)) * (radius + sqrt(b2)), 0.0) / k);
+    return vec2(clamp(s0 - half_chord, 0.0, end), clamp(s0 + half_chord, 0.0, end));
+}
+
+// The part of a segment that is within `radius` of `center`.
+vec2 ew_sphere_chord(ew_segment segment, vec3 center, float radius)
+{
+    vec3 to_center = center - segment.origin;
+    float k = ew_length_squared(segment.direction);
+    float s0 = dot(to_center, segment.direction) / k;
+    float b2 = ew_length_squared(to_center - s0 * segment.direction);
+    return ew_chord_of(b2, k, s0, radius, segment.end);
+}

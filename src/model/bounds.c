@@ -1,0 +1,144 @@
+/* What sources can light of a view: see bounds.h. */
+#include "model/bounds.h"
+
+#include "model/vector.h"
+
+/* How many times as far as the nearest thing that matters the interval goes for a source without an end. A ray that is not
+ * along an infinite line leaves its reach long before. */
+#define ENDLESS_RATIO 1e5
+/* The first depth of a perspective view over the last: the eye itself has no window depth. */
+#define MIN_DEPTH_RATIO 1e-9
+
+static void to_view(const ew_view *view, const double world[3], double out[3])
+{
+    for (int row = 0; row < 3; ++row) {
+        out[row] = ew_element(view->view, row, 3);
+        for (int column = 0; column < 3; ++column)
+            out[row] += ew_element(view->view, row, column) * world[column];
+    }
+}
+
+/* The near plane's view depth of a parallel projection; 0, the eye, of a perspective one. */
+static double first_depth(const ew_view *view)
+{
+    if (!ew_is_parallel(view)) return 0;
+    double at_0 = ew_window_depth_at(view, 0, 0, 0), growth = ew_window_depth_at(view, 0, 0, 1) - at_0;
+    /* Window depth 0 is the near plane, or 1 if depth is reversed. */
+    return growth != 0 ? ((growth > 0 ? 0 : 1) - at_0) / growth : 0;
+}
+
+/* ---- The interval ---- */
+
+typedef struct depth_range {
+    const ew_view *view;
+    double least, most; /* of the balls that have an end */
+    double endless;     /* the largest distance of the centre of one that has none; < 0: there is none */
+} depth_range;
+
+static void take_depths(void *user, const ew_ball *ball)
+{
+    depth_range *range = user;
+    double center[3];
+    to_view(range->view, ball->center, center);
+    if (isinf(ball->radius)) {
+        range->endless = fmax(range->endless, sqrt(ew_dot(center, center)));
+        return;
+    }
+    range->least = fmin(range->least, -center[2] - ball->radius);
+    range->most = fmax(range->most, -center[2] + ball->radius);
+}
+
+ew_interval ew_lit_interval(const ew_sources *sources, const ew_view *view)
+{
+    depth_range range = {view, HUGE_VAL, -HUGE_VAL, -1};
+    ew_sources_for_each_lit_ball(sources, take_depths, &range);
+    double first = first_depth(view);
+    ew_interval interval = {fmax(range.least, first), range.most};
+    if (range.endless >= 0) {
+        double size = fmax(range.endless, isfinite(range.most) ? fabs(range.most) : 0);
+        interval.start = first;
+        interval.end = fmax(range.most, first + ENDLESS_RATIO * (size > 0 ? size : 1));
+    }
+    if (!(interval.end > interval.start)) return (ew_interval){first + 1, first + 2};
+    if (!ew_is_parallel(view)) interval.start = fmax(interval.start, MIN_DEPTH_RATIO * interval.end);
+    return interval;
+}
+
+/* ---- Bounds for the host ---- */
+
+typedef struct screen_range {
+    const ew_view *view;
+    double first_depth;
+    const ew_interval *interval;
+    double left, bottom, right, top; /* NDC */
+    double depth_start, depth_end;
+} screen_range;
+
+/* NDC of a point in front of the eye. */
+static void take_point(screen_range *range, double x, double y, double depth)
+{
+    const double *p = range->view->projection;
+    double w = ew_is_parallel(range->view) ? ew_element(p, 3, 3) : -ew_element(p, 3, 2) * depth;
+    double ndc[2];
+    for (int row = 0; row < 2; ++row)
+        ndc[row] =
+            (ew_element(p, row, 0) * x + ew_element(p, row, 1) * y - ew_element(p, row, 2) * depth + ew_element(p, row, 3)) / w;
+    range->left = fmin(range->left, ndc[0]);
+    range->right = fmax(range->right, ndc[0]);
+    range->bottom = fmin(range->bottom, ndc[1]);
+    range->top = fmax(range->top, ndc[1]);
+}
+
+static void take_all(screen_range *range)
+{
+    range->left = range->bottom = -1;
+    range->right = range->top = 1;
+}
+
+/* The ball's box in view space, cut at the first depth: what is seen of its corners bounds what is seen of the ball. */
+static void take_ball(void *user, const ew_ball *ball)
+{
+    screen_range *range = user;
+    if (isinf(ball->radius)) {
+        take_all(range);
+        range->depth_start = range->interval ? fmin(range->depth_start, range->interval->start) : range->first_depth;
+        range->depth_end = range->interval ? fmax(range->depth_end, range->interval->end) : HUGE_VAL;
+        return;
+    }
+    double center[3], radius = ball->radius;
+    to_view(range->view, ball->center, center);
+    double start = fmax(-center[2] - radius, range->interval ? range->interval->start : range->first_depth);
+    double end = range->interval ? fmin(-center[2] + radius, range->interval->end) : -center[2] + radius;
+    if (!(start < end)) return;
+    range->depth_start = fmin(range->depth_start, start);
+    range->depth_end = fmax(range->depth_end, end);
+    if (!ew_is_parallel(range->view) && start <= 1e-6 * end) {
+        take_all(range);
+        return;
+    }
+    for (int corner = 0; corner < 8; ++corner)
+        take_point(range, center[0] + (corner & 1 ? radius : -radius), center[1] + (corner & 2 ? radius : -radius),
+                   corner & 4 ? end : start);
+}
+
+/* The pixels from NDC `low` to `high` of `size` pixels from `start` on. */
+static void to_pixels(double low, double high, int start, int size, int *first, int *count)
+{
+    double from = floor((fmax(low, -1) * 0.5 + 0.5) * size), to = ceil((fmin(high, 1) * 0.5 + 0.5) * size);
+    *first = start + (int)from;
+    *count = to > from ? (int)(to - from) : 0;
+}
+
+ew_bounds ew_find_bounds(const ew_sources *sources, const ew_view *view, const ew_interval *interval,
+                         const ew_viewport *viewport)
+{
+    screen_range range = {view, first_depth(view), interval, HUGE_VAL, HUGE_VAL, -HUGE_VAL, -HUGE_VAL, HUGE_VAL, -HUGE_VAL};
+    ew_sources_for_each_lit_ball(sources, take_ball, &range);
+    ew_bounds bounds = {.x = viewport->x, .y = viewport->y};
+    if (!(range.left < 1 && range.right > -1 && range.bottom < 1 && range.top > -1)) return bounds;
+    to_pixels(range.left, range.right, viewport->x, viewport->width, &bounds.x, &bounds.width);
+    to_pixels(range.bottom, range.top, viewport->y, viewport->height, &bounds.y, &bounds.height);
+    bounds.depth_start = range.depth_start;
+    bounds.depth_end = range.depth_end;
+    return bounds;
+}
