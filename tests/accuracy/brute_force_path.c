@@ -64,11 +64,12 @@ long double brute_force_path_field(const ew_path *path, const brute_force_light 
         long double t = 0, end[3];
         long double distance =
             path->kind == EW_PATH_POLYLINE ? polyline_piece(path, piece, p, &t, end) : bspline_piece(path, piece, p, &t, end);
-        long double u = ((long double)piece + t) / (long double)count, end_u = (long double)(piece + 1) / (long double)count;
+        bool is_last = piece + 1 == count;
+        long double u = ((long double)piece + t) / (long double)count;
+        long double end_u = is_last ? 0 : (long double)(piece + 1) / (long double)count;
         field += brute_force_weight(path->weights, path->weight_count, u) * brute_force_glow(light, distance);
-        if (piece + 1 == count && !path->is_closed) continue;
+        if (is_last && !path->is_closed) continue;
         long double weight = brute_force_weight(path->weights, path->weight_count, end_u);
-        if (piece + 1 == count) weight = fminl(weight, brute_force_weight(path->weights, path->weight_count, 0));
         field -= weight * brute_force_glow(light, distance_to(p, end));
     }
     return field;

@@ -18,8 +18,8 @@ enum { MAX_SOURCE_DIRECTIONS = 2, MAX_SOURCE_RUNS = 5 };
 /* The members with which a source of any kind ends. */
 typedef struct source_light {
     double coefficient;
-    double brightness;
     double color[3];
+    double brightness;
     double core;
     double reach;
     double sharpness;

@@ -212,15 +212,14 @@ static bool add_span(path_parts *parts, const ew_path *path, size_t span, double
     return true;
 }
 
-/* A joint at the start of each piece but an open path's first. Where a closed path meets itself its weight may jump: there the
- * smaller counts, so that the field stays positive. */
+/* A joint at the start of each piece but an open path's first, with the weight there. Where a closed path meets itself, and its
+ * weight may jump, that is the first. */
 static void add_joints(path_parts *parts, const ew_path *path)
 {
     for (size_t i = !path->is_closed; i < parts->piece_count; i++) {
         const path_piece *piece = &parts->pieces[i];
         path_joint *joint = &parts->joints[parts->joint_count++];
         *joint = (path_joint){.weight = reference_weight(path->weights, path->weight_count, piece->first_u)};
-        if (i == 0) joint->weight = fmin(joint->weight, reference_weight(path->weights, path->weight_count, 1));
         vector_copy(piece->arc.polynomial[0], joint->point.position);
     }
 }
