@@ -11,8 +11,10 @@
 typedef struct scene_maker {
     uint64_t random;
     FILE *file;      /* the scene file */
+    bool is_world;   /* of the world integral */
     double distance; /* from the eye to `place` */
     double epsilon;
+    double least_core; /* of the source that is being written, set by its kind */
     double eye[3];
     double place[3];   /* on the first source, and looked at */
     double forward[3]; /* from the eye to the place, unit */

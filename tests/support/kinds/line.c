@@ -59,6 +59,8 @@ const source_kind line_kind = {
     .nearest = nearest,
     .place = place,
     .scene_share = 0.08,
+    .world_scene_name = "world line",
+    .world_scene_share = 0.1,
     .write = write,
     .make = make,
 };

@@ -46,6 +46,15 @@ static size_t random_point_count(scene_maker *maker, ew_path_kind kind, bool is_
     return count == 2 && (is_closed || kind == EW_PATH_BSPLINE) ? 3 : count;
 }
 
+/* The library takes no more than 600 quadratic pieces for a path. Some 200 are as close as it wants to cubics, whose third
+ * differences are up to 16 steps long, if the core is as wide as this. */
+static double least_core(const ew_path *path, double step)
+{
+    bool is_cubic = path->kind == EW_PATH_BEZIER || path->kind == EW_PATH_CATMULL_ROM;
+    double pieces = 200 / (double)path_span_count(path);
+    return is_cubic ? 230 * step / (pieces * pieces * pieces) : 0;
+}
+
 static void write_path(scene_maker *maker, const ew_path *path)
 {
     static const char *const names[] = {"polyline", "bspline", "bezier", "catmull_rom"};
@@ -62,7 +71,9 @@ static void write(scene_maker *maker, bool first, bool weighted)
     ew_path path = {.kind = (ew_path_kind)random_index(&maker->random, 4), .points = (const double(*)[3])points};
     path.is_closed = maker_chance(maker, 0.3) && path.kind != EW_PATH_BEZIER;
     path.point_count = random_point_count(maker, path.kind, path.is_closed);
-    random_points(maker, maker_source_extent(maker), points, path.point_count);
+    double extent = maker_source_extent(maker);
+    random_points(maker, extent, points, path.point_count);
+    maker->least_core = least_core(&path, extent);
     maker_source_place(maker, first, position);
     /* Joints and ends are looked at more often than their share. */
     double u = maker_between(maker, 0, 1), spans = (double)path_span_count(&path);
@@ -82,5 +93,7 @@ const source_kind path_kind = {
     .points_offset = offsetof(ew_path, points),
     .point_count_offset = offsetof(ew_path, point_count),
     .place = place,
+    .world_scene_name = "world path",
+    .world_scene_share = 0.24,
     .write = write,
 };

@@ -41,6 +41,8 @@ const source_kind point_kind = {
     .nearest = nearest,
     .place = place,
     .scene_share = 0.06,
+    .world_scene_name = "world point",
+    .world_scene_share = 0.08,
     .write = write,
     .make = make,
 };

@@ -124,6 +124,8 @@ const source_kind torus_kind = {
     .kink = kink,
     .place = place,
     .scene_share = 0.16,
+    .world_scene_name = "world torus",
+    .world_scene_share = 0.12,
     .write = write,
     .make = make,
 };
