@@ -40,10 +40,13 @@ float ew_others(vec4 sum, vec4 color)
 #define EW_ADD_SOURCE(source) ew_add(EW_INTEGRAL(source), source.color, source.glow, sum)
 #ifdef EW_REACH
 // Sources that the ray misses are passed over in a loop of their own: where a group of pixels has few, a software rasteriser goes
-// through the expensive body as often as the pixel of the group that has most.
-#define EW_FIND_CHORD(source) chord = source.glow.y > 0.0 ? ew_chord(segment, source) : whole;
-#define EW_NEXT(read, count) do { source = read(i); EW_FIND_CHORD(source) } while (++i < count && chord.x >= chord.y);
-#define EW_ADD_NEXT(block, read, count) block source; EW_NEXT(read, count) if (chord.x < chord.y) { EW_ADD_SOURCE(source); }
+// through the expensive body as often as the pixel of the group that has most. A pixel that has left that loop while others of its
+// group have not may see its values computed once more (llvmpipe does so); so the search stays where it is once it has found one.
+#define EW_CHORD(source) source.glow.y > 0.0 ? ew_chord(segment, source) : whole
+#define EW_TRY(block, read) block tried = read(i); chord = EW_CHORD(tried); hit = hit || chord.x < chord.y; i += hit ? 0 : 1;
+#define EW_FIND(block, read, count) bool hit = false; do { EW_TRY(block, read) } while (!hit && i < count);
+#define EW_ADD_HIT(block, read) block source = read(i); chord = EW_CHORD(source); EW_ADD_SOURCE(source); ++i;
+#define EW_ADD_NEXT(block, read, count) EW_FIND(block, read, count) if (hit) { EW_ADD_HIT(block, read) }
 #define EW_ADD_KIND(block, read, count) if (count > 0) { int i = 0; do { EW_ADD_NEXT(block, read, count) } while (i < count); }
 #else
 #define EW_ADD_READ(block, read) block source = read(i); EW_ADD_SOURCE(source)
