@@ -133,7 +133,7 @@ static void write(scene_maker *maker, bool first, bool weighted)
         fprintf(maker->file, "[%.17g, %.17g, %.17g]%s", polynomial[i][0], polynomial[i][1], polynomial[i][2],
                 i < 2 ? ", " : "");
     fprintf(maker->file, "], \"domain\": [%.17g, %.17g], ", domain[0], domain[1]);
-    if (weighted) maker_write_weights(maker);
+    if (weighted) maker_write_weights(maker, false);
 }
 
 /* ---- Hostile input ------------------------------------------------------------------------------------------------------ */

@@ -24,8 +24,9 @@ static void place(const void *source, const source_view *view, double u, double 
             s * s * s * cubic[0][i] + 3 * s * s * t * cubic[1][i] + 3 * s * t * t * cubic[2][i] + t * t * t * cubic[3][i];
 }
 
-/* Steps of about the same length, some of them none, back to where the one before came from, or straight on. */
-static void random_points(scene_maker *maker, double extent, double points[][3], size_t count)
+/* Steps of about the same length, some of them straight on; and, unless there are weights, some of them none, or back to where
+ * the one before came from: there, which weight counts would be undefined. */
+static void random_points(scene_maker *maker, double extent, bool weighted, double points[][3], size_t count)
 {
     double step[3] = {0};
     for (size_t i = 0; i < count; i++) {
@@ -33,7 +34,7 @@ static void random_points(scene_maker *maker, double extent, double points[][3],
         vector_copy(step, previous);
         maker_offset(maker, extent, step);
         for (int k = 0; k < 3 && i > 1; k++)
-            step[k] = choice < 0.04 ? 0 : choice < 0.08 ? -previous[k] : choice < 0.16 ? previous[k] : step[k];
+            step[k] = choice < 0.08 ? previous[k] : choice > 0.12 || weighted ? step[k] : choice > 0.1 ? 0 : -previous[k];
         for (int k = 0; k < 3; k++)
             points[i][k] = i == 0 ? 0 : points[i - 1][k] + step[k];
     }
@@ -72,7 +73,7 @@ static void write(scene_maker *maker, bool first, bool weighted)
     path.is_closed = maker_chance(maker, 0.3) && path.kind != EW_PATH_BEZIER;
     path.point_count = random_point_count(maker, path.kind, path.is_closed);
     double extent = maker_source_extent(maker);
-    random_points(maker, extent, points, path.point_count);
+    random_points(maker, extent, weighted, points, path.point_count);
     maker->least_core = least_core(&path, extent);
     maker_source_place(maker, first, position);
     /* Joints and ends are looked at more often than their share. */
@@ -82,7 +83,7 @@ static void write(scene_maker *maker, bool first, bool weighted)
         for (int k = 0; k < 3; k++)
             points[i][k] += position[k] - on_path[k];
     write_path(maker, &path);
-    if (weighted) maker_write_weights(maker);
+    if (weighted) maker_write_weights(maker, path.is_closed);
 }
 
 const source_kind path_kind = {
