@@ -22,7 +22,7 @@ struct ew_frame_block {
 };
 
 // How many kinds of sources there are, and how many ivec4 their counts take.
-#define EW_KIND_COUNT 4
+#define EW_KIND_COUNT 5
 #define EW_COUNT_VECTORS ((EW_KIND_COUNT + 3) / 4)
 
 // The blocks of the sources. In every kind, `color` is the light's colour where B = 1, and its w the coefficient times alpha.
@@ -59,6 +59,32 @@ struct ew_curve_block {
     vec4 domain; // x: first, y: last, z: the first weight piece, w: how many pieces there are (0: none)
     vec4 color;
     vec4 glow;
+};
+
+// A chain of pieces that shines as one. Its pieces stand behind all blocks and weights.
+struct ew_path_block {
+    vec4 ball;    // a ball around the path: its centre, w: its radius
+    vec4 beam;    // of a straight beam, a path of one straight piece: xyz: from the ball's centre to its end
+    vec4 pieces;  // x: the first vec4 of the first piece, y: number of pieces, z: 1 if they are ew_bent_block, else 0; w: 1 if closed
+                  // y is 0 for a straight beam: it has no pieces but itself
+    vec4 weights; // x: the first weight piece, y: how many there are (0: none), z: the mean of the weights
+    vec4 color;
+    vec4 glow;
+};
+
+// A straight piece of a path; w of each end is the path's parameter t there.
+struct ew_straight_block {
+    vec4 start;
+    vec4 end;
+};
+
+// A bent piece of a path: see ew_curve_block.
+struct ew_bent_block {
+    vec4 origin;
+    vec4 axis_x; // w: slope_x >= 0
+    vec4 axis_y; // w: slope_y
+    vec4 axis_z; // w: bend >= 0
+    vec4 domain; // x: first, y: last, zw: t at both
 };
 
 // One polynomial piece of S(t), equation (15): x + y f + z f^2 with f in [0, 1] along the piece.

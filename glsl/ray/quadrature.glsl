@@ -79,7 +79,59 @@ float ew_integrate_reciprocal(float b2, float k, float s0, float from, float to)
 }
 #endif
 
+#ifdef EW_WORLD
+// The antiderivative of 1 / sqrt(b2 + k y^2) before and after a core from core.x <= 0 to core.y >= 0, which it steps over: as the
+// power whose logarithm over sqrt(k) it is,
+//
+//     (d(y_after) + sqrt(k) y_after) / (d(y_before) - sqrt(k) y_before),   y_after = max(y, core.y), y_before = min(y, core.x).
+//
+// Both are sums of positive terms.
+vec2 ew_power_outside(float b2, float k, float root_k, vec2 y, vec2 core)
+{
+    vec2 after = max(y, core.yy);
+    vec2 before = min(y, core.xx);
+    return (sqrt(b2 + k * after * after) + root_k * after) / (sqrt(b2 + k * before * before) - root_k * before);
+}
+
+// The integral over s in [from, to] of 1 / max(r', sqrt(b2 + k (s - s0)^2)): the core, and what lies before and behind it. With the
+// least core of a pixel, the core's edges are the roots of
+//
+//     (k - g) y^2 - 2 g z y - (r'^2 - b2) = 0,   y = s - s0,
+//
+// where g is the growth of r'^2 with the square of depth, and z the depth at s0 over its growth. k is less than g only on rays that
+// look along a line within its core; they stay in it. Relative error 1e-6, of what a ray through the core has.
+float ew_integrate_floored_reciprocal(float b2, float k, float s0, float from, float to, vec4 glow)
+{
+    float root_k = sqrt(k);
+    vec2 y = vec2(from, to) - s0;
 #ifdef EW_CORE_PIXELS
+    float growth2 = ew_core_growth2();
+    float middle = ew_frame.core_floor.x * ew_view_depth.y * (ew_view_depth.x + s0 * ew_view_depth.y);
+    float a = max(k - growth2, 1e-6 * k);
+    float root2 = middle * middle + a * (ew_core2(glow, s0) - b2);
+    float root = sqrt(max(root2, 0.0));
+    vec2 core = root2 > 0.0 ? vec2(middle - root, middle + root) / a : vec2(0.0);
+#else
+    float half_core = sqrt(max(glow.x * glow.x - b2, 0.0) / k);
+    vec2 core = vec2(-half_core, half_core);
+#endif
+    vec2 power = ew_power_outside(b2, k, root_k, y, core);
+    float sides = 0.69314718 * log2(power.y / power.x) / root_k;
+    vec2 inside = clamp(core, y.xx, y.yy);
+#ifdef EW_CORE_PIXELS
+    // In the core the field is 1 / r', a closed form of its own: the integral of a reciprocal distance from the eye.
+    vec2 radius = sqrt(vec2(ew_core2(glow, s0 + inside.x), ew_core2(glow, s0 + inside.y)));
+    float q = (inside.y - inside.x) / (radius.x + radius.y);
+    float x2 = growth2 * q * q;
+    float series = 1.0 + x2 * (0.33333333 + x2 * (0.2 + x2 * (0.14285714 + x2 * 0.11111111)));
+    float x = sqrt(x2);
+    float logarithm = x2 > 0.1 ? 0.34657359 * log2((1.0 + x) / max(1.0 - x, 1e-6)) / x : series;
+    return sides + 2.0 * q * logarithm;
+#else
+    return sides + (inside.y - inside.x) / glow.x;
+#endif
+}
+#elif defined(EW_CORE_PIXELS)
 // The integral of 1 / max(r', sqrt(b2 + k (s - s0)^2)), with the integral's decay: the core, in which the field depends on its
 // radius alone, and what lies before and behind it. The core's edges are the roots of
 //

@@ -28,6 +28,8 @@ struct ew_arc {
 #ifdef EW_WEIGHTS
     float first_piece;
     float piece_count; // 0: no weights
+    float place;       // of the arc's start along all that the weights are for, in [0, 1]
+    float place_slope; // growth of the place with tau
 #endif
 };
 
@@ -57,6 +59,8 @@ ew_arc ew_make_arc(ew_segment segment, ew_curve_block curve)
 #ifdef EW_WEIGHTS
     arc.first_piece = ew_first_piece(curve);
     arc.piece_count = ew_piece_count(curve);
+    arc.place = 0.0;
+    arc.place_slope = 1.0;
 #endif
     return arc;
 }
@@ -126,7 +130,7 @@ float ew_tau_on_arm(ew_arc arc, float s)
 float ew_arc_weight(ew_arc arc, float tau)
 {
 #ifdef EW_WEIGHTS
-    if (arc.piece_count > 0.0) return ew_weight(tau - arc.first, arc.first_piece, arc.piece_count);
+    if (arc.piece_count > 0.0) return ew_weight(arc.place + (tau - arc.first) * arc.place_slope, arc.first_piece, arc.piece_count);
 #endif
     return 1.0;
 }

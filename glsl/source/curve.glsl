@@ -105,20 +105,15 @@ float ew_integrate_stretch(ew_arc arc, ew_approaches approaches, float from, flo
     return passage.weight * reciprocal + rest;
 }
 
-// The integral over a segment; `others`, >= 0 and in the same unit, is what other sources are known to add to it. Relative
+// The integral over the part `chord` of a ray; `others`, >= 0 and in the same unit, is what other sources are known to add to it. Relative
 // error 1e-3 at a tolerance of 1e-3, mostly far less; docs/method.md, section 10, has the exceptions.
-float ew_integrate(ew_segment segment, ew_curve_block curve, float others)
+float ew_integrate_arc(ew_arc arc, vec2 chord, float others)
 {
-    ew_arc arc = ew_make_arc(segment, curve);
     ew_cell first_cell = ew_cell_of_end(arc, arc.first, 1.0);
     ew_cell last_cell = ew_cell_of_end(arc, arc.last, -1.0);
-    vec2 chord = vec2(0.0, segment.end);
 #ifdef EW_REACH
-    if (curve.glow.y > 0.0) {
-        chord = ew_chord(segment, curve);
-        // The brightness is known, and light that is a thousandth of it need not be exact to a thousandth of itself.
-        others += 1e-3 / EW_OTHERS_SHARE * 1.386 * log2(max(curve.glow.y / curve.glow.x, 1.0001));
-    }
+    // The brightness is known, and light that is a thousandth of it need not be exact to a thousandth of itself.
+    if (arc.glow.y > 0.0) others += 1e-3 / EW_OTHERS_SHARE * 1.386 * log2(max(arc.glow.y / arc.glow.x, 1.0001));
 #endif
     vec2 first = ew_part_of_cell(arc, first_cell, chord.y);
     vec2 last = ew_part_of_cell(arc, last_cell, chord.y);
@@ -144,4 +139,9 @@ float ew_integrate(ew_segment segment, ew_curve_block curve, float others)
         from = ew_skip_parts(to, first, last);
     } while (from < chord.y && ++stretch < EW_MAX_STRETCHES);
     return sum;
+}
+
+float ew_integrate(ew_segment segment, ew_curve_block curve, vec2 chord, float others)
+{
+    return ew_integrate_arc(ew_make_arc(segment, curve), chord, others);
 }

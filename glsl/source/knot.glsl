@@ -5,7 +5,7 @@
 float ew_piece_at(ew_arc arc, float s)
 {
 #ifdef EW_WEIGHTS
-    return clamp(floor((ew_tau_on_arm(arc, s) - arc.first) * arc.piece_count), 0.0, max(arc.piece_count - 1.0, 0.0));
+    return clamp(floor((arc.place + (ew_tau_on_arm(arc, s) - arc.first) * arc.place_slope) * arc.piece_count), 0.0, max(arc.piece_count - 1.0, 0.0));
 #else
     return 0.0;
 #endif
@@ -26,7 +26,8 @@ bool ew_has_knot(float piece, float last_piece)
 float ew_next_knot(ew_arc arc, float piece, float last_piece)
 {
 #ifdef EW_WEIGHTS
-    float tau = arc.first + (piece + (last_piece > piece ? 1.0 : 0.0)) / max(arc.piece_count, 1.0);
+    float place = (piece + (last_piece > piece ? 1.0 : 0.0)) / max(arc.piece_count, 1.0);
+    float tau = arc.first + (place - arc.place) / max(arc.place_slope, 1e-30);
     float left = ((arc.cubic * tau + arc.quadratic) * tau + arc.equation_start.x) * tau - arc.equation_start.y;
     return ew_zero(left, arc.equation_growth.x * tau - arc.equation_growth.y);
 #else

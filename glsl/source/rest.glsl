@@ -40,7 +40,7 @@ struct ew_rest {
 ew_rest ew_weighted_rest(ew_arc arc, ew_passage passage, vec4 source, vec4 model, vec4 tau, float piece, float curvature)
 {
     vec3 polynomial = ew_weight_piece(int(arc.first_piece + piece)).polynomial.xyz;
-    vec4 place = clamp((tau - arc.first) * arc.piece_count - piece, 0.0, 1.0);
+    vec4 place = clamp((arc.place + (tau - arc.first) * arc.place_slope) * arc.piece_count - piece, 0.0, 1.0);
     vec4 weight = polynomial.x + place * (polynomial.y + place * polynomial.z);
     float slope = abs(polynomial.y) + abs(polynomial.z);
     float largest = max(max(weight.x, weight.y), max(weight.z, weight.w));

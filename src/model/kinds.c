@@ -5,9 +5,10 @@
 #include "model/limits.h"
 #include "model/vector.h"
 
-extern const ew_kind ew_point_kind, ew_line_kind, ew_torus_kind, ew_curve_kind;
+extern const ew_kind ew_point_kind, ew_line_kind, ew_torus_kind, ew_curve_kind, ew_path_kind_row;
 
-const ew_kind *const ew_kinds[EW_KIND_COUNT] = {&ew_point_kind, &ew_line_kind, &ew_torus_kind, &ew_curve_kind};
+const ew_kind *const ew_kinds[EW_KIND_COUNT] = {&ew_point_kind, &ew_line_kind, &ew_torus_kind, &ew_curve_kind,
+                                                &ew_path_kind_row};
 
 size_t ew_kind_units(const ew_kind *kind, bool has_glow)
 {

@@ -48,8 +48,35 @@ typedef struct ew_weight_list {
     size_t count;
 } ew_weight_list;
 
+/* The most units (vec4) that a piece of a chain takes. */
+enum { EW_MAX_PIECE_UNITS = sizeof(struct ew_bent_block) / sizeof(ew_vec4) };
+
 /* The most files of GLSL that one kind has. */
 enum { EW_KIND_MAX_FILES = 8 };
+
+/* The pieces of a source, as the uniform block has them. */
+typedef struct ew_piece_range {
+    const void *pieces;
+    size_t piece_count;
+    size_t first_unit; /* in the uniform block's data */
+    size_t piece_units;
+    ew_ball ball;
+} ew_piece_range;
+
+/* What a row says of sources that are chains of pieces. Pieces are made once, in world space, and packed for each frame. */
+typedef struct ew_chain_kind {
+    size_t piece_size;
+    /* Counts the pieces of a source whose core has that radius, and the units (vec4) that each takes. */
+    ew_result (*count)(const void *source, double core, const ew_source_name *name, size_t *count, ew_error *error);
+    void (*make)(const void *source, double core, void *pieces);
+    size_t (*piece_units)(const void *source, const void *pieces, size_t count);
+    size_t (*most_piece_units)(const void *source);
+    const char *const *bend_files; /* of GLSL, before the kind's own, if the shader knows bent pieces; up to a NULL */
+    const char *const *sampled_bend_files;
+    /* Completes the source's block and packs its pieces into `units`. */
+    ew_result (*pack)(const ew_source_name *name, const ew_ray_space *space, const void *pieces, const ew_piece_range *range,
+                      void *block, ew_vec4 *units, ew_error *error);
+} ew_chain_kind;
 
 typedef struct ew_kind {
     const char *name;       /* "point": ew_point(i) and ew_point_block in GLSL */
@@ -73,6 +100,7 @@ typedef struct ew_kind {
      * `glow`. Refuses what is too far away or too large there. */
     ew_result (*pack)(const void *source, const ew_source_name *name, const ew_ray_space *space, const ew_weight_range *weights,
                       void *block, ew_error *error);
+    const ew_chain_kind *chain; /* of a kind whose sources are chains of pieces; else NULL */
 
     /* GLSL files, in order: for the adaptive integrator, and for those that only sample the field. */
     const char *adaptive_files[EW_KIND_MAX_FILES];

@@ -6,9 +6,6 @@
 #include "model/kinds.h"
 #include "model/spline.h"
 
-/* The most spans between control points of one path, and the most pieces. */
-#define EW_MAX_PATH_PIECES 600
-
 /* A piece begins where the one before it ends. Pieces too short to be seen are left out; then `domain` has a gap there. */
 typedef struct ew_path_piece {
     ew_quadratic curve;

@@ -47,6 +47,11 @@ static size_t count_weight_pieces(const ew_sources_desc *desc)
     return pieces;
 }
 
+static double core_of(const ew_emission *emission, double epsilon)
+{
+    return emission->core > 0 ? emission->core : epsilon;
+}
+
 /* Whether a source has a reach or a core of its own. */
 static bool needs_glow(const ew_sources_desc *desc)
 {
@@ -56,6 +61,31 @@ static bool needs_glow(const ew_sources_desc *desc)
             if (emission->reach > 0 || emission->core > 0) return true;
         }
     return false;
+}
+
+/* Counts the pieces of all chains, and the bytes and units that they take. On failure says which source has too many. */
+typedef struct piece_total {
+    size_t bytes, units, chains;
+} piece_total;
+
+static ew_result count_pieces(const ew_sources_desc *desc, piece_total *total, ew_error *error)
+{
+    *total = (piece_total){0};
+    for (int k = 0; k < EW_KIND_COUNT; ++k) {
+        const ew_kind *kind = ew_kinds[k];
+        for (size_t i = 0; kind->chain && i < count_in(desc, kind); ++i) {
+            const char *source = list_in(desc, kind) + i * kind->size;
+            const ew_source_name name = {kind->list_name, i};
+            size_t count;
+            ew_result result =
+                kind->chain->count(source, core_of(ew_source_emission(kind, source), desc->epsilon), &name, &count, error);
+            if (result != EW_OK) return result;
+            total->bytes += count * kind->chain->piece_size;
+            total->units += count * kind->chain->most_piece_units(source);
+            total->chains++;
+        }
+    }
+    return EW_OK;
 }
 
 static size_t count_all(const ew_sources_desc *desc)
@@ -109,11 +139,6 @@ static ew_result check_light(const ew_emission *emission, const ew_source_name *
     return EW_OK;
 }
 
-static double core_of(const ew_emission *emission, double epsilon)
-{
-    return emission->core > 0 ? emission->core : epsilon;
-}
-
 static ew_result check_extent(const ew_emission *emission, double epsilon, const ew_source_name *name, ew_error *error)
 {
     if (!is_positive_or_0(emission->core)) return refuse(name, "core must be finite and >= 0", error);
@@ -144,7 +169,7 @@ static ew_result check_sources_of(const ew_sources_desc *desc, const ew_kind *ki
 }
 
 /* Counts come first: no source is looked at before all of them are known to fit. */
-static ew_result check(const ew_sources_desc *desc, size_t capacity, ew_error *error)
+static ew_result check(const ew_sources_desc *desc, size_t capacity, piece_total *total, ew_error *error)
 {
     if (!desc) return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "sources must not be NULL");
     if (!is_positive_or_0(desc->epsilon)) return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "epsilon must be finite and >= 0");
@@ -160,8 +185,10 @@ static ew_result check(const ew_sources_desc *desc, size_t capacity, ew_error *e
     if (result != EW_OK) return result;
     if (needs_glow(desc)) result = take_units("reaches or cores", count_all(desc), 1, &left, capacity, error);
     if (result != EW_OK) return result;
-    return take_units("pieces of weights", count_weight_pieces(desc), sizeof(struct ew_weight_block) / sizeof(ew_vec4), &left,
-                      capacity, error);
+    result = take_units("pieces of weights", count_weight_pieces(desc), sizeof(struct ew_weight_block) / sizeof(ew_vec4), &left,
+                        capacity, error);
+    if (result == EW_OK) result = count_pieces(desc, total, error);
+    return result == EW_OK ? take_units("units of paths' pieces", total->units, 1, &left, capacity, error) : result;
 }
 
 /* ---- Memory ---- */
@@ -176,7 +203,7 @@ static void *carve(char *memory, size_t *used, size_t size)
 
 /* Lays the arrays out in `memory`; with NULL, only returns how much is needed. Doubles and pointers come first, so that all is
  * aligned. */
-static size_t lay_out(const ew_sources_desc *desc, char *memory, ew_sources *sources)
+static size_t lay_out(const ew_sources_desc *desc, const piece_total *total, char *memory, ew_sources *sources)
 {
     size_t used = 0, with_weights = 0, units = 0;
     sources->has_glow = needs_glow(desc);
@@ -188,23 +215,22 @@ static size_t lay_out(const ew_sources_desc *desc, char *memory, ew_sources *sou
         if (kind->weights) with_weights += count;
         units += count * ew_kind_units(kind, sources->has_glow);
     }
+    sources->balls = carve(memory, &used, count_all(desc) * sizeof *sources->balls);
     sources->weights = carve(memory, &used, with_weights * sizeof *sources->weights);
+    sources->piece_ranges = carve(memory, &used, total->chains * sizeof *sources->piece_ranges);
+    sources->pieces = carve(memory, &used, total->bytes);
     sources->weight_piece_count = count_weight_pieces(desc);
-    sources->data_size = units * sizeof(ew_vec4) + sources->weight_piece_count * sizeof(struct ew_weight_block);
+    sources->weight_units = units;
+    sources->data_size = (units + sources->weight_piece_count + total->units) * sizeof(ew_vec4);
     sources->data = carve(memory, &used, sources->data_size);
     return used;
-}
-
-static size_t weight_pieces_offset(const ew_sources *sources)
-{
-    return sources->data_size - sources->weight_piece_count * sizeof(struct ew_weight_block);
 }
 
 /* Copies the sources, and makes their weight pieces, which no frame changes. */
 static void copy_sources(const ew_sources_desc *desc, ew_sources *sources)
 {
     struct ew_weight_block *pieces = NULL;
-    if (sources->weight_piece_count > 0) pieces = (void *)((char *)sources->data + weight_pieces_offset(sources));
+    if (sources->weight_piece_count > 0) pieces = (void *)((ew_vec4 *)sources->data + sources->weight_units);
     ew_weight_range *range = sources->weights;
     size_t first_piece = 0;
     for (int k = 0; k < EW_KIND_COUNT; ++k) {
@@ -220,23 +246,57 @@ static void copy_sources(const ew_sources_desc *desc, ew_sources *sources)
     }
 }
 
+/* Makes the balls around all sources, and the pieces of chains. */
+static ew_result make_shapes(const ew_sources_desc *desc, ew_sources *sources, ew_error *error)
+{
+    ew_ball *ball = sources->balls;
+    ew_piece_range *range = sources->piece_ranges;
+    char *pieces = sources->pieces;
+    size_t unit = sources->weight_units + sources->weight_piece_count;
+    for (int k = 0; k < EW_KIND_COUNT; ++k) {
+        const ew_kind *kind = ew_kinds[k];
+        for (size_t i = 0; i < sources->counts[k]; ++i, ++ball) {
+            const char *source = list_in(desc, kind) + i * kind->size;
+            *ball = kind->bound(source);
+            if (!kind->chain) continue;
+            const ew_source_name name = {kind->list_name, i};
+            double core = core_of(ew_source_emission(kind, source), desc->epsilon);
+            *range = (ew_piece_range){.first_unit = unit, .ball = *ball};
+            ew_result result = kind->chain->count(source, core, &name, &range->piece_count, error);
+            if (result != EW_OK) return result;
+            kind->chain->make(source, core, pieces);
+            range->pieces = pieces;
+            range->piece_units = kind->chain->piece_units(source, pieces, range->piece_count);
+            sources->has_joints = sources->has_joints || range->piece_units > 0;
+            sources->has_bends = sources->has_bends || range->piece_units == EW_MAX_PIECE_UNITS;
+            pieces += range->piece_count * kind->chain->piece_size;
+            unit += range->piece_count * range->piece_units;
+            ++range;
+        }
+    }
+    sources->data_size = unit * sizeof(ew_vec4);
+    return EW_OK;
+}
+
 ew_result ew_sources_set(ew_sources *sources, const ew_sources_desc *desc, size_t capacity, const ew_allocator *allocator,
                          ew_error *error)
 {
-    ew_result result = check(desc, capacity, error);
+    piece_total total;
+    ew_result result = check(desc, capacity, &total, error);
     if (result != EW_OK) return result;
     ew_sources made = {.memory = sources->memory, .memory_size = sources->memory_size, .epsilon = desc->epsilon};
-    size_t size = lay_out(desc, NULL, &made);
+    size_t size = lay_out(desc, &total, NULL, &made);
     if (size > made.memory_size) {
         made.memory = allocator->allocate(allocator->user, size);
         if (!made.memory) return ew_fail(error, EW_ERROR_OUT_OF_MEMORY, "no memory for %zu bytes of sources", size);
         made.memory_size = size;
         ew_sources_destroy(sources, allocator);
     }
-    lay_out(desc, made.memory, &made);
+    lay_out(desc, &total, made.memory, &made);
     copy_sources(desc, &made);
+    result = make_shapes(desc, &made, error);
     *sources = made;
-    return EW_OK;
+    return result;
 }
 
 void ew_sources_destroy(ew_sources *sources, const ew_allocator *allocator)
@@ -249,7 +309,10 @@ void ew_sources_destroy(ew_sources *sources, const ew_allocator *allocator)
 
 ew_mix ew_sources_mix(const ew_sources *sources)
 {
-    ew_mix mix = {.has_weights = sources->weight_piece_count > 0, .has_reach = sources->has_glow};
+    ew_mix mix = {.has_weights = sources->weight_piece_count > 0,
+                  .has_reach = sources->has_glow,
+                  .has_joints = sources->has_joints,
+                  .has_bends = sources->has_bends};
     for (int k = 0; k < EW_KIND_COUNT; ++k) {
         const ew_kind *kind = ew_kinds[k];
         memcpy((char *)&mix + kind->mix_offset, &sources->counts[k], sizeof sources->counts[k]);
@@ -303,6 +366,7 @@ ew_result ew_sources_pack(ew_sources *sources, const ew_packing *packing, ew_err
 {
     char *block = sources->data;
     const ew_weight_range *weights = sources->weights;
+    const ew_piece_range *range = sources->piece_ranges;
     for (int k = 0; k < EW_KIND_COUNT; ++k) {
         const ew_kind *kind = ew_kinds[k];
         for (size_t i = 0; i < sources->counts[k]; ++i) {
@@ -312,6 +376,11 @@ ew_result ew_sources_pack(ew_sources *sources, const ew_packing *packing, ew_err
             if (result == EW_OK)
                 result = pack_emission(ew_source_emission(kind, source), &name, packing, sources,
                                        (ew_vec4 *)(void *)(block + kind->color_offset), error);
+            if (result == EW_OK && kind->chain) {
+                result = kind->chain->pack(&name, &packing->space, range->pieces, range, block,
+                                           (ew_vec4 *)sources->data + range->first_unit, error);
+                ++range;
+            }
             if (result != EW_OK) return result;
             block += ew_kind_units(kind, sources->has_glow) * sizeof(ew_vec4);
         }
@@ -321,14 +390,15 @@ ew_result ew_sources_pack(ew_sources *sources, const ew_packing *packing, ew_err
 
 void ew_sources_for_each_lit_ball(const ew_sources *sources, void (*take)(void *user, const ew_ball *ball), void *user)
 {
+    const ew_ball *ball = sources->balls;
     for (int k = 0; k < EW_KIND_COUNT; ++k) {
         const ew_kind *kind = ew_kinds[k];
-        for (size_t i = 0; i < sources->counts[k]; ++i) {
+        for (size_t i = 0; i < sources->counts[k]; ++i, ++ball) {
             const char *source = (const char *)sources->lists[k] + i * kind->size;
             double reach = ew_source_emission(kind, source)->reach;
-            ew_ball ball = kind->bound(source);
-            ball.radius = reach > 0 ? ball.radius + reach : HUGE_VAL;
-            take(user, &ball);
+            ew_ball lit = *ball;
+            lit.radius = reach > 0 ? lit.radius + reach : HUGE_VAL;
+            take(user, &lit);
         }
     }
 }

@@ -8,19 +8,24 @@
 
 #include <stdbool.h>
 
-/* Starts as {0}. All arrays lie in one allocation; the blocks of all kinds and the weight pieces lie one after the other, as in
- * the uniform block. */
+/* Starts as {0}. All arrays lie in one allocation; the blocks of all kinds, the weight pieces and the pieces of paths lie
+ * one after the other, as in the uniform block. */
 typedef struct ew_sources {
     void *memory;
     size_t memory_size;
     double epsilon;
     bool has_glow; /* the blocks have their last member */
     size_t counts[EW_KIND_COUNT];
-    void *lists[EW_KIND_COUNT]; /* copies of the host's */
-    ew_weight_range *weights;   /* one for each source of a kind that has weights, kind after kind */
-    void *data;                 /* what goes into the uniform block */
+    void *lists[EW_KIND_COUNT];   /* copies of the host's */
+    ew_ball *balls;               /* one for each source, kind after kind */
+    ew_piece_range *piece_ranges; /* one for each source that is a chain, kind after kind */
+    void *pieces;                 /* in world space */
+    bool has_joints, has_bends;   /* a path has bent pieces */
+    ew_weight_range *weights;     /* one for each source of a kind that has weights, kind after kind */
+    void *data;                   /* what goes into the uniform block */
     size_t data_size;
     size_t weight_piece_count;
+    size_t weight_units; /* where they begin, in units */
 } ew_sources;
 
 /* How many units (vec4) of sources a uniform block of `block_size` bytes holds. */

@@ -80,15 +80,16 @@ static size_t source_varyings(const ew_dialect *dialect, unsigned key)
         if (ew_permutation_count(key, kind) == EW_ANY_COUNT) return 0;
         units += ew_permutation_count(key, kind) * units_of(kind, key);
     }
-    size_t head = sizeof(struct ew_uniform_head) / sizeof(ew_vec4);
+    size_t head = sizeof(struct ew_frame_block) / sizeof(ew_vec4);
     return head + units <= (size_t)dialect->max_varying_vectors ? units : 0;
 }
 
 static void add_defines(ew_shader_text *text, const ew_dialect *dialect, unsigned key)
 {
     static const char *const flags[EW_PERMUTATION_FLAG_COUNT] = {
-        "WEIGHTS", "DEPTH", "SIMPSON",     "LUMINANCE", "EVALUATIONS", "DEPTH_MULTISAMPLE", "DITHER", "DITHER_SRGB",
-        "WORLD",   "REACH", "CORE_PIXELS", "SHARPNESS", "SOFT"};
+        "WEIGHTS",           "DEPTH",     "SIMPSON",     "LUMINANCE", "EVALUATIONS",
+        "DEPTH_MULTISAMPLE", "DITHER",    "DITHER_SRGB", "WORLD",     "REACH",
+        "CORE_PIXELS",       "SHARPNESS", "SOFT",        "JOINTS",    "BENDS"};
     add_made(text, "#define EW_SOURCE_DATA_SIZE %zu\n", dialect->capacity);
     for (int i = 0; i < EW_PERMUTATION_FLAG_COUNT; ++i)
         if (key & 1u << i) add_made(text, "#define EW_%s\n", flags[i]);
@@ -153,15 +154,32 @@ static void add_readers(ew_shader_text *text, unsigned key)
     add_made(text, "\n");
 }
 
+/* Adds a file of a kind that no other kind has added. */
+static void add_file_once(ew_shader_text *text, const char *file)
+{
+    for (int i = 0; i < text->count; ++i)
+        if (text->strings[i] == file) return;
+    add_file(text, file);
+}
+
+static void add_bend_files(ew_shader_text *text, const ew_kind *kind, bool is_sampling)
+{
+    const char *const *files = is_sampling ? kind->chain->sampled_bend_files : kind->chain->bend_files;
+    for (int i = 0; files[i]; ++i)
+        add_file_once(text, files[i]);
+}
+
 static void add_kinds(ew_shader_text *text, unsigned key, const ew_integrator_text *integrator)
 {
     for (int kind = 0; kind < EW_KIND_COUNT; ++kind) {
         if (ew_permutation_count(key, kind) == 0) continue;
         const char *const *files = integrator->is_sampling ? ew_kinds[kind]->sampling_files : ew_kinds[kind]->adaptive_files;
+        if (ew_kinds[kind]->chain && key & EW_PERMUTATION_BENDS) add_bend_files(text, ew_kinds[kind], integrator->is_sampling);
         for (int i = 0; i < EW_KIND_MAX_FILES && files[i]; ++i)
-            add_file(text, files[i]);
+            add_file_once(text, files[i]);
         if (!integrator->each_kind) continue;
         add_made(text, "#define EW_SOURCE ew_%s_block\n", ew_kinds[kind]->name);
+        if (!ew_kinds[kind]->chain) add_file(text, ew_glsl_sample_source_glsl);
         add_file(text, integrator->each_kind);
         add(text, "#undef EW_SOURCE\n");
     }

@@ -18,7 +18,7 @@ peer_distribution peer_distribute(ew_segment segment, vec3 nearest)
     vec3 to_nearest = nearest - segment.origin;
     float k = ew_length_squared(segment.direction);
     float center = dot(to_nearest, segment.direction) / k;
-    float distance = max(length(to_nearest - center * segment.direction), ew_epsilon()) * inversesqrt(k);
+    float distance = max(length(to_nearest - center * segment.direction), ew_plain_glow().x) * inversesqrt(k);
     return peer_distribution(center, distance, atan(-center / distance), atan((segment.end - center) / distance));
 }
 

@@ -1,6 +1,6 @@
 // The integral of a source by samples that peer_place chooses. C puts this file into the shader once for each kind, with EW_SOURCE
 // defined as the kind's block. `others` is for the library's own integrator.
-float ew_integrate(ew_segment segment, EW_SOURCE source, float others)
+float ew_integrate(ew_segment segment, EW_SOURCE source, vec2 chord, float others)
 {
 #ifdef PEER_EQUIANGULAR
     peer_distribution distribution = peer_distribute(segment, peer_nearest(segment, source));
@@ -13,9 +13,7 @@ float ew_integrate(ew_segment segment, EW_SOURCE source, float others)
     float sum = 0.0;
     for (int i = 0; i < samples; ++i) {
         vec2 place = peer_place(distribution, (float(i) + jitter) * stratum);
-        float weight;
-        float distance_squared = ew_distance_squared(source, segment.origin + place.x * segment.direction, weight);
-        sum += place.y * (ew_sample(distance_squared, place.x) * weight);
+        sum += place.y * ew_sample_at(source, segment.origin + place.x * segment.direction, place.x);
     }
     return sum * stratum;
 }

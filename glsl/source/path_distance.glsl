@@ -1,0 +1,66 @@
+// Samples of a path's field: the sum of its pieces' samples, less one of a point for each joint. See path.glsl.
+
+float ew_path_sample_weight(ew_path_block path, float t)
+{
+#ifdef EW_WEIGHTS
+    if (path.weights.y > 0.0) return ew_weight(t, path.weights.x, path.weights.y);
+#endif
+    return 1.0;
+}
+
+#ifdef EW_JOINTS
+vec4 ew_piece_unit(ew_path_block path, float units, int i, int unit)
+{
+    return ew_source_data[int(path.pieces.x) + i * int(units) + unit];
+}
+#endif
+
+// The nearest point of a straight piece.
+float ew_sample_straight(ew_path_block path, vec4 start, vec4 end, vec3 position, float s)
+{
+    vec3 way = end.xyz - start.xyz;
+    float u = clamp(dot(position - start.xyz, way) / max(ew_length_squared(way), 1e-30), 0.0, 1.0);
+    float weight = ew_path_sample_weight(path, mix(start.w, end.w, u));
+    return weight * ew_sample(ew_length_squared(position - start.xyz - u * way), s, path.glow);
+}
+
+#ifdef EW_BENDS
+float ew_sample_bent(ew_path_block path, int i, vec3 position, float s, out vec4 start)
+{
+    vec4 origin = ew_piece_unit(path, 5.0, i, 0);
+    vec4 axis_x = ew_piece_unit(path, 5.0, i, 1);
+    vec4 axis_y = ew_piece_unit(path, 5.0, i, 2);
+    vec4 domain = ew_piece_unit(path, 5.0, i, 4);
+    ew_curve_block curve = ew_curve_block(origin, axis_x, axis_y, ew_piece_unit(path, 5.0, i, 3), vec4(domain.xy, 0.0, 0.0), path.color,
+                                          path.glow);
+    ew_polynomial_curve polynomial = ew_make_polynomial_curve(curve);
+    float tau;
+    float distance_squared = ew_nearest_on_curve(polynomial, position, tau);
+    start = vec4(polynomial.c0 + polynomial.first * (polynomial.c1 + polynomial.first * polynomial.c2), domain.z);
+    float weight = ew_path_sample_weight(path, mix(domain.z, domain.w, tau - polynomial.first));
+    return weight * ew_sample(distance_squared, s, path.glow);
+}
+#endif
+
+float ew_sample_at(ew_path_block path, vec3 position, float s)
+{
+    vec4 start = vec4(path.ball.xyz - path.beam.xyz, 0.0);
+    float sum = path.pieces.y > 0.0 ? 0.0 : ew_sample_straight(path, start, vec4(path.ball.xyz + path.beam.xyz, 1.0), position, s);
+#ifdef EW_JOINTS
+    int count = int(path.pieces.y);
+    for (int i = 0; i < count; ++i) {
+        if (path.pieces.z == 0.0) {
+            start = ew_piece_unit(path, 2.0, i, 0);
+            sum += ew_sample_straight(path, start, ew_piece_unit(path, 2.0, i, 1), position, s);
+        }
+#ifdef EW_BENDS
+        else {
+            sum += ew_sample_bent(path, i, position, s, start);
+        }
+#endif
+        if (i > 0 || path.pieces.w > 0.0)
+            sum -= ew_path_sample_weight(path, start.w) * ew_sample(ew_length_squared(position - start.xyz), s, path.glow);
+    }
+#endif
+    return sum;
+}
