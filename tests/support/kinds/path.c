@@ -86,6 +86,37 @@ static void write(scene_maker *maker, bool first, bool weighted)
     if (weighted) maker_write_weights(maker, path.is_closed);
 }
 
+/* ---- Hostile input ------------------------------------------------------------------------------------------------------ */
+
+static void make(const random_place *at, void *source, double *weights, double (*points)[3])
+{
+    ew_path *path = source;
+    path->kind = (ew_path_kind)random_index(at->random, 4);
+    path->is_closed = path->kind != EW_PATH_BEZIER && random_chance(at->random, 0.3);
+    path->point_count = path->kind == EW_PATH_BEZIER ? random_chance(at->random, 0.5) ? 4 : 7
+                                                     : 3 + random_index(at->random, MAX_RANDOM_POINTS - 2);
+    for (size_t i = 0; i < path->point_count; i++) {
+        random_position(at, points[i]);
+        if (at->extreme && i > 0 && random_chance(at->random, 0.2)) vector_copy(points[i - 1], points[i]);
+        if (at->extreme && i > 1 && random_chance(at->random, 0.1)) vector_copy(points[i - 2], points[i]);
+    }
+    path->points = (const double(*)[3])points;
+    random_light(at, &path->coefficient, path->color);
+    path->weights = weights;
+    if (weights) path->weight_count = random_weights(at, weights);
+}
+
+static size_t numbers(void *source, number_run runs[MAX_SOURCE_RUNS])
+{
+    ew_path *path = source;
+    size_t count = 0;
+    /* The library's points and weights are constants; these are the caller's. */
+    runs[count++] = (number_run){(double *)path->points, 3 * path->point_count};
+    runs[count++] = (number_run){(double *)path->weights, path->weight_count};
+    runs[count++] = (number_run){&path->coefficient, sizeof(source_light) / sizeof(double)};
+    return count;
+}
+
 const source_kind path_kind = {
     .name = "path",
     .list_name = "paths",
@@ -97,4 +128,6 @@ const source_kind path_kind = {
     .world_scene_name = "world path",
     .world_scene_share = 0.24,
     .write = write,
+    .make = make,
+    .numbers = numbers,
 };
