@@ -101,6 +101,8 @@ static void make(const random_place *at, void *source, double *weights, double (
         if (at->extreme && i > 1 && random_chance(at->random, 0.1)) vector_copy(points[i - 2], points[i]);
     }
     path->points = (const double(*)[3])points;
+    /* Of thin cores, a path may need more pieces than the library takes. */
+    if (!at->extreme) path->core = 0.1 * (at->end - at->start);
     random_light(at, &path->coefficient, path->color);
     path->weights = weights;
     if (weights) path->weight_count = random_weights(at, weights);
