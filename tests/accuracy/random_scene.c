@@ -12,9 +12,11 @@
 typedef struct combination {
     const char *name;
     double share;
-    int counts[SOURCE_KIND_COUNT];
+    int count_of_each;             /* how many sources there are of each kind, */
+    int counts[SOURCE_KIND_COUNT]; /* and how many more of some */
 } combination;
 
+/* Those of the papers' integral have no paths, so that they stay the scenes they were before there were paths. */
 static const combination papers_combinations[RANDOM_SCENE_COMBINATION_COUNT] = {
     {.name = "weighted curve", .share = 0.25, .counts = {[KIND_CURVE] = 1}},
     {.name = "two curves", .share = 0.08, .counts = {[KIND_CURVE] = 2}},
@@ -22,15 +24,11 @@ static const combination papers_combinations[RANDOM_SCENE_COMBINATION_COUNT] = {
     {.name = "many", .share = 0.05, .counts = {[KIND_POINT] = 5, [KIND_LINE] = 5, [KIND_TORUS] = 5, [KIND_CURVE] = 5}},
 };
 
-#define EACH(count)                                                                                                            \
-    {                                                                                                                          \
-        [KIND_POINT] = count, [KIND_LINE] = count, [KIND_TORUS] = count, [KIND_CURVE] = count, [KIND_PATH] = count             \
-    }
 static const combination world_combinations[RANDOM_SCENE_COMBINATION_COUNT] = {
     {.name = "world weighted curve", .share = 0.08, .counts = {[KIND_CURVE] = 1}},
     {.name = "world weighted path", .share = 0.12, .counts = {[KIND_PATH] = 1}},
-    {.name = "world mix", .share = 0.1, .counts = EACH(1)},
-    {.name = "world many", .share = 0.02, .counts = EACH(3)},
+    {.name = "world mix", .share = 0.1, .count_of_each = 1},
+    {.name = "world many", .share = 0.02, .count_of_each = 3},
 };
 
 static bool is_world_kind(int scene_kind)
@@ -71,7 +69,7 @@ static double share_of(int scene_kind)
 static int count_of(int scene_kind, int kind)
 {
     const combination *several = combination_of(scene_kind);
-    return several ? several->counts[kind] : scene_kind % RANDOM_PAPERS_KIND_COUNT == kind;
+    return several ? several->count_of_each + several->counts[kind] : scene_kind % RANDOM_PAPERS_KIND_COUNT == kind;
 }
 
 /* The first numbers of a seed's sequence choose the kind. */

@@ -80,7 +80,7 @@ static void polylines_and_bsplines_match_brute_force(void **state)
     double points[8][3], weights[7];
     for (int i = 0; i < 7; i++)
         weights[i] = i == 3 ? 0 : random_unit(&random);
-    for (int i = 0; i < 300; i++) {
+    for (int i = 0; i < 150; i++) {
         reference_ray ray = random_world_ray(&random);
         ew_path path = {.kind = i % 2 ? EW_PATH_BSPLINE : EW_PATH_POLYLINE,
                         .points = (const double(*)[3])points,
@@ -120,7 +120,7 @@ static void a_straight_path_may_be_cut(void **state)
     static const size_t cuts[] = {1, 2, 6, 24, 200};
     static const double weights[] = {0.2, 1};
     uint64_t random = 22;
-    for (int i = 0; i < 40; i++) {
+    for (int i = 0; i < 12; i++) {
         reference_ray ray = random_world_ray(&random);
         double ends[2][3], points[MAX_POINTS][3];
         random_points(&random, ends, 2);
@@ -178,7 +178,7 @@ static void catmull_rom_paths_are_what_their_chords_are(void **state)
     enum { CHORDS = 60 };
     uint64_t random = 24;
     double worst = 0;
-    for (int i = 0; i < 20; i++) {
+    for (int i = 0; i < 8; i++) {
         reference_ray ray = random_world_ray(&random);
         double points[4][3], chords[4 * CHORDS][3];
         int is_closed = i % 2;

@@ -36,7 +36,7 @@ void maker_source_place(scene_maker *maker, bool first, double place[3]);
 
 /* Writes "key": [x, y, z] and a comma. */
 void maker_write_vector(scene_maker *maker, const char *key, const double vector[3]);
-/* Writes "weights": from one to many, some of them 0, and a comma. */
-void maker_write_weights(scene_maker *maker);
+/* Writes "weights": from one to many, some of them 0, and a comma. On what is closed, the last is the first. */
+void maker_write_weights(scene_maker *maker, bool is_closed);
 
 #endif

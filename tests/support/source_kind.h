@@ -93,8 +93,9 @@ typedef struct source_kind {
 
     /* ---- Hostile input ---- */
 
-    /* Fills a source that is all zero. `weights` has room for MAX_RANDOM_WEIGHTS numbers; NULL: it shall have none. */
-    void (*make)(const random_place *place, void *source, double *weights);
+    /* Fills a source that is all zero. `weights` has room for MAX_RANDOM_WEIGHTS numbers; NULL: it shall have none. `points`
+     * has room for MAX_RANDOM_POINTS. */
+    void (*make)(const random_place *place, void *source, double *weights, double (*points)[3]);
     /* Lists the numbers of a source and returns how many runs they are. NULL: the source consists of doubles alone. */
     size_t (*numbers)(void *source, number_run runs[MAX_SOURCE_RUNS]);
 } source_kind;

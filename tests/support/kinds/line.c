@@ -38,10 +38,10 @@ static void write(scene_maker *maker, bool first, bool weighted)
     maker_write_vector(maker, "direction", direction);
 }
 
-static void make(const random_place *at, void *source, double *weights)
+static void make(const random_place *at, void *source, double *weights, double (*points)[3])
 {
     ew_line *line = source;
-    (void)weights;
+    (void)weights, (void)points;
     random_position(at, line->position);
     random_direction(at, line->direction);
     random_light(at, &line->coefficient, line->color);

@@ -98,10 +98,10 @@ static void write(scene_maker *maker, bool first, bool weighted)
 
 /* ---- Hostile input ------------------------------------------------------------------------------------------------------ */
 
-static void make(const random_place *at, void *source, double *weights)
+static void make(const random_place *at, void *source, double *weights, double (*points)[3])
 {
     ew_torus *torus = source;
-    (void)weights;
+    (void)weights, (void)points;
     random_position(at, torus->center);
     random_direction(at, torus->axis);
     torus->radius =

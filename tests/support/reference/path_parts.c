@@ -6,6 +6,9 @@
 
 #include <stdlib.h>
 
+/* How close quadratic pieces are to a cubic one, in radii of the core. */
+#define CUBIC_TOLERANCE 1e-4
+
 enum { SEED_COUNT = 5, MAX_PIECES_OF_A_SPAN = 4096 };
 
 /* ---- Spans -------------------------------------------------------------------------------------------------------------- */
@@ -167,7 +170,7 @@ static size_t piece_count_of(double cubic[4][3], bool is_cubic, double core)
     if (!is_cubic) return 1;
     for (int k = 0; k < 3; k++)
         difference[k] = cubic[3][k] - cubic[0][k] + 3 * (cubic[1][k] - cubic[2][k]);
-    double count = ceil(cbrt(sqrt(3) / 36 * vector_length(difference) / (1e-4 * core)));
+    double count = ceil(cbrt(sqrt(3) / 36 * vector_length(difference) / (CUBIC_TOLERANCE * core)));
     return count < 1 ? 1 : count > MAX_PIECES_OF_A_SPAN ? MAX_PIECES_OF_A_SPAN : (size_t)count;
 }
 
