@@ -69,9 +69,9 @@ unsigned ew_permutation_with_depth(unsigned key, ew_depth_kind depth)
 
 bool ew_permutation_covers(unsigned key, unsigned other)
 {
-    /* What a shader may know without harm to sources that do not need it. */
-    const unsigned extras =
-        EW_PERMUTATION_WEIGHTS | EW_PERMUTATION_REACH | EW_PERMUTATION_SHARPNESS | EW_PERMUTATION_JOINTS | EW_PERMUTATION_BENDS;
+    /* What a shader may know without harm to sources that do not need it. Reaches are not among that: blocks are longer with
+     * them. */
+    const unsigned extras = EW_PERMUTATION_WEIGHTS | EW_PERMUTATION_SHARPNESS | EW_PERMUTATION_JOINTS | EW_PERMUTATION_BENDS;
     const unsigned flags = ((1u << EW_PERMUTATION_FLAG_COUNT) - 1) & ~extras;
     if ((key & flags) != (other & flags) || (other & extras & ~key) != 0) return false;
     for (int kind = 0; kind < EW_KIND_COUNT; ++kind)

@@ -26,6 +26,37 @@ static void random_axes(uint64_t *random, double axes[3][3])
             axes[2][i] = -axes[2][i];
 }
 
+/* A core, a reach, a brightness or a sharpness of the source's own. The world integral asks for a reach, the papers' does not.
+ */
+static void random_glow(const shader_mix *mix, const random_place *place, double epsilon, source_light *light)
+{
+    uint64_t *random = place->random;
+    double length = place->end - place->start;
+    if (mix->field == FIELD_PLAIN) return;
+    if (random_chance(random, 0.7))
+        light->core = length * (place->extreme ? random_power_of_ten(random, -9, 0) : random_power_of_ten(random, -4, -1));
+    if (mix->field == FIELD_REACH && random_chance(random, 0.3)) return;
+    double core = light->core > 0 ? light->core : epsilon;
+    light->reach = core * (1 + (place->extreme ? random_power_of_ten(random, -9, 9) : random_power_of_ten(random, -2, 3)));
+    if (random_chance(random, 0.5)) {
+        light->brightness = light->coefficient;
+        light->coefficient = 0;
+    }
+    if (mix->sharp && random_chance(random, 0.8))
+        light->sharpness = place->extreme ? 1 + random_power_of_ten(random, -6, 6) : random_between(random, 1, 8);
+}
+
+static void random_source(random_desc *desc, const shader_mix *mix, const random_place *place, int k, size_t i)
+{
+    const source_kind *kind = source_kinds[k];
+    char *source = (char *)desc->lists[k] + i * kind->size;
+    source_light light;
+    kind->make(place, source, mix->weighted ? desc->weights[k][i] : NULL, desc->points[k][i]);
+    memcpy(&light, source + kind->light_offset, sizeof light);
+    random_glow(mix, place, desc->sources.epsilon, &light);
+    memcpy(source + kind->light_offset, &light, sizeof light);
+}
+
 static bool random_sources(random_desc *desc, const shader_mix *mix, const random_place *place)
 {
     uint64_t *random = place->random;
@@ -40,8 +71,7 @@ static bool random_sources(random_desc *desc, const shader_mix *mix, const rando
         set_source_list(kind, &desc->sources, desc->lists[k]);
         set_source_count(kind, &desc->sources, count);
         for (size_t i = 0; i < count; i++)
-            kind->make(place, (char *)desc->lists[k] + i * kind->size, mix->weighted ? desc->weights[k][i] : NULL,
-                       desc->points[i]);
+            random_source(desc, mix, place, k, i);
     }
     return true;
 }
@@ -111,6 +141,9 @@ bool random_desc_make(random_desc *desc, const shader_mix *mix, bool extreme, in
     random_projection(&at, frame, (double)width / height);
     frame->decay_alpha = extreme ? random_power_of_ten(random, -3, 3) : 1;
     frame->decay_beta = extreme ? random_power_of_ten(random, -6, 6) : 1;
+    if (mix->field == FIELD_WORLD) frame->interval_start = frame->interval_end = 0, frame->decay_alpha = frame->decay_beta = 1;
+    frame->core_pixels = !mix->has_core_pixels ? 0 : extreme ? random_between(random, 1e-3, 64) : 1.5;
+    frame->exposure = extreme ? random_power_of_ten(random, -6, 6) : 1;
     frame->integrator = mix->integrator;
     frame->quality = (ew_quality)random_index(random, 3);
     frame->simpson_divisions = 2 * (int)random_power_of_ten(random, 0, 2);

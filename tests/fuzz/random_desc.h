@@ -10,6 +10,9 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+/* What sources have beside a coefficient, and which integral is over them. */
+typedef enum source_field { FIELD_PLAIN, FIELD_REACH, FIELD_WORLD } source_field;
+
 typedef enum target_depth { NO_DEPTH, DEPTH_TEXTURE, DEPTH_MULTISAMPLE, DEPTH_FRAMEBUFFER } target_depth;
 
 /* What decides about the shader, which takes long to compile: so there are few of them. */
@@ -17,6 +20,9 @@ typedef struct shader_mix {
     size_t count_of_each;             /* how many sources there are of each kind, */
     size_t counts[SOURCE_KIND_COUNT]; /* and how many more of some */
     bool weighted;
+    source_field field;
+    bool sharp; /* with a reach */
+    bool has_core_pixels;
     ew_integrator integrator;
     ew_output output;
     target_depth depth;
@@ -35,7 +41,7 @@ typedef struct random_desc {
     ew_sources_desc sources;
     void *lists[SOURCE_KIND_COUNT]; /* room for MAX_KIND sources of each kind; `sources` points there */
     double weights[SOURCE_KIND_COUNT][MAX_KIND][MAX_RANDOM_WEIGHTS];
-    double points[MAX_KIND][MAX_RANDOM_POINTS][3]; /* of paths */
+    double points[SOURCE_KIND_COUNT][MAX_KIND][MAX_RANDOM_POINTS][3];
 } random_desc;
 
 /* The ordinary are what a host would ask for, at a scale of 1. The extreme go to the ends of the ranges that energywave.h

@@ -53,7 +53,9 @@ static size_t frame_runs(random_desc *desc, number_run runs[MAX_RUNS])
     runs[3] = (number_run){&frame->interval_end, 1};
     runs[4] = (number_run){&frame->decay_alpha, 1};
     runs[5] = (number_run){&frame->decay_beta, 1};
-    return 6;
+    runs[6] = (number_run){&frame->core_pixels, 1};
+    runs[7] = (number_run){&frame->exposure, 1};
+    return 8;
 }
 
 static void spoil_one(const number_run *runs, size_t count, uint64_t *random)
@@ -100,12 +102,35 @@ static void spoil_weights(random_desc *desc, bool missing, size_t missing_count,
     curve->weight_count = missing ? missing_count : random_chance(random, 0.5) ? count : 0;
 }
 
+static void spoil_points(random_desc *desc, size_t count, uint64_t *random)
+{
+    ew_path *path = (ew_path *)desc->lists[KIND_PATH] + random_index(random, desc->sources.path_count);
+    switch (random_index(random, 4)) {
+    case 0:
+        path->points = NULL;
+        break;
+    case 1:
+        path->point_count = count;
+        break;
+    case 2:
+        path->point_count = random_index(random, 2);
+        break;
+    default:
+        path->is_closed = 2;
+        break;
+    }
+}
+
 void spoil_lists(random_desc *desc, uint64_t *random)
 {
     static const size_t too_many[] = {100000, SIZE_MAX, SIZE_MAX / 2, SIZE_MAX / sizeof(ew_curve) + 1};
     size_t count = too_many[random_index(random, COUNT(too_many))];
     bool missing = random_chance(random, 0.5);
     size_t missing_count = 1 + random_index(random, 3);
+    if (desc->sources.path_count > 0 && random_chance(random, 0.3)) {
+        spoil_points(desc, count, random);
+        return;
+    }
     size_t list = random_index(random, SOURCE_KIND_COUNT + (desc->sources.curve_count > 0));
     if (list == SOURCE_KIND_COUNT) {
         spoil_weights(desc, missing, missing_count, count, random);

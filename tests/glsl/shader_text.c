@@ -21,7 +21,7 @@ static void write_strings(const char *profile, const char *role, unsigned key, c
                           int count)
 {
     char path[4096];
-    snprintf(path, sizeof path, "%s/%s-%s%05x.%s", folder, profile, role, key, stage);
+    snprintf(path, sizeof path, "%s/%s-%s%08x.%s", folder, profile, role, key, stage);
     FILE *file = fopen(path, "w");
     for (int i = 0; file && i < count; ++i)
         fputs(strings[i], file);
@@ -31,28 +31,28 @@ static void write_strings(const char *profile, const char *role, unsigned key, c
     }
 }
 
-static void write_permutation(const shader_profile *profile, unsigned key)
+/* ---- What can meet ---- */
+
+/* The fields that an integral can have: the papers' and the world's, with and without what sources may have. */
+static const unsigned fields[] = {
+    0,
+    EW_PERMUTATION_REACH,
+    EW_PERMUTATION_REACH | EW_PERMUTATION_SHARPNESS,
+    EW_PERMUTATION_REACH | EW_PERMUTATION_WORLD,
+    EW_PERMUTATION_REACH | EW_PERMUTATION_WORLD | EW_PERMUTATION_SHARPNESS,
+};
+enum { FIELD_COUNT = sizeof fields / sizeof fields[0] };
+
+static const unsigned no_kinds = 0, all_kinds = (1u << EW_KIND_COUNT) - 1;
+
+static int kind_count(unsigned kinds)
 {
-    ew_shader_text text;
-    ew_write_vertex_shader(&text, &profile->dialect, key);
-    write_strings(profile->name, "", key, "vert", text.strings, text.count);
-    ew_write_fragment_shader(&text, &profile->dialect, key);
-    write_strings(profile->name, "", key, "frag", text.strings, text.count);
+    int count = 0;
+    for (int kind = 0; kind < EW_KIND_COUNT; ++kind)
+        count += kinds >> kind & 1;
+    return count;
 }
 
-/* What main() does with the integral is the same for all of them: multisampled depth and dither meet only some. */
-static bool is_wanted_pass(unsigned flags)
-{
-    const unsigned dither = EW_PERMUTATION_DITHER | EW_PERMUTATION_DITHER_SRGB;
-    const unsigned outputs = EW_PERMUTATION_LUMINANCE | EW_PERMUTATION_EVALUATIONS;
-    if ((flags & outputs) == outputs) return false;
-    if (flags & EW_PERMUTATION_DEPTH_MULTISAMPLE)
-        return flags & EW_PERMUTATION_DEPTH && !(flags & (dither | EW_PERMUTATION_SIMPSON | EW_PERMUTATION_WEIGHTS));
-    if (flags & dither) return flags == EW_PERMUTATION_DITHER || flags == dither;
-    return true;
-}
-
-/* Whether one of the kinds, a set of bits, takes weights. */
 static bool takes_weights(unsigned kinds)
 {
     for (int kind = 0; kind < EW_KIND_COUNT; ++kind)
@@ -60,50 +60,127 @@ static bool takes_weights(unsigned kinds)
     return false;
 }
 
-/* Every set of flags that can meet, on every set of kinds, with few sources of each (a literal count) and with many. */
-static void write_permutations(const shader_profile *profile)
+static bool takes_bends(unsigned kinds)
 {
-    for (unsigned flags = 0; flags < 1u << EW_PERMUTATION_FLAG_COUNT; ++flags) {
-        if (!is_wanted_pass(flags)) continue;
-        for (unsigned kinds = 0; kinds < 1u << EW_KIND_COUNT; ++kinds) {
-            if (flags & EW_PERMUTATION_WEIGHTS && !takes_weights(kinds)) continue;
-            for (unsigned count = 1; count <= EW_ANY_COUNT; count += EW_ANY_COUNT - 1) {
-                unsigned key = flags;
-                for (int kind = 0; kind < EW_KIND_COUNT; ++kind)
-                    if (kinds & 1u << kind) key = ew_permutation_with_count(key, kind, count);
-                write_permutation(profile, key);
-            }
-        }
+    for (int kind = 0; kind < EW_KIND_COUNT; ++kind)
+        if (kinds & 1u << kind && ew_kinds[kind]->chain) return true;
+    return false;
+}
+
+/* The key of a set of kinds, a set of bits. Counts are few (a literal) and many in turn, the first of them `first`. */
+static unsigned with_kinds(unsigned key, unsigned kinds, size_t first)
+{
+    size_t count = first;
+    for (int kind = 0; kind < EW_KIND_COUNT; ++kind) {
+        if (!(kinds & 1u << kind)) continue;
+        key = ew_permutation_with_count(key, kind, count);
+        count = EW_ANY_COUNT + 1 - count;
+    }
+    return key;
+}
+
+/* ---- Shaders of the library ---- */
+
+static void write_fragment_shader(const shader_profile *profile, unsigned key)
+{
+    ew_shader_text text;
+    ew_write_fragment_shader(&text, &profile->dialect, key);
+    write_strings(profile->name, "", key, "frag", text.strings, text.count);
+}
+
+static void write_permutation(const shader_profile *profile, unsigned key)
+{
+    ew_shader_text text;
+    write_fragment_shader(profile, key);
+    ew_write_vertex_shader(&text, &profile->dialect, key);
+    write_strings(profile->name, "", key, "vert", text.strings, text.count);
+}
+
+/* Every integral that the kinds can have. */
+static void write_integrals(const shader_profile *profile, unsigned kinds, size_t first_count)
+{
+    const unsigned flags[] = {EW_PERMUTATION_WEIGHTS, EW_PERMUTATION_SIMPSON, EW_PERMUTATION_CORE_PIXELS, EW_PERMUTATION_BENDS};
+    for (unsigned set = 0; set < 16; ++set) {
+        unsigned key = 0;
+        for (int i = 0; i < 4; ++i)
+            if (set & 1u << i) key |= flags[i];
+        if (key & EW_PERMUTATION_WEIGHTS && !takes_weights(kinds)) continue;
+        if (key & EW_PERMUTATION_BENDS && !takes_bends(kinds)) continue;
+        for (int field = 0; field < FIELD_COUNT; ++field)
+            write_permutation(profile, with_kinds(key | fields[field], kinds, first_count));
     }
 }
 
-/* The text for hosts' shaders, as the only thing in a shader that uses it. */
+/* Kinds meet in pairs, and all at once; three and four of them in the default integrals alone. */
+static void write_all_integrals(const shader_profile *profile)
+{
+    for (unsigned kinds = no_kinds; kinds <= all_kinds; ++kinds) {
+        int count = kind_count(kinds);
+        if (count <= 2 || kinds == all_kinds) write_integrals(profile, kinds, 1);
+        if (count == 1 || kinds == all_kinds) write_integrals(profile, kinds, EW_ANY_COUNT);
+        if (count <= 2 || kinds == all_kinds) continue;
+        write_permutation(profile, with_kinds(0, kinds, 1));
+        write_permutation(profile, with_kinds(fields[3] | EW_PERMUTATION_CORE_PIXELS, kinds, EW_ANY_COUNT));
+    }
+}
+
+/* All that main() can do, with each field: without sources, and with all kinds. */
+static void write_passes(const shader_profile *profile)
+{
+    static const unsigned depths[] = {0, EW_PERMUTATION_DEPTH, EW_PERMUTATION_DEPTH | EW_PERMUTATION_DEPTH_MULTISAMPLE};
+    static const unsigned outputs[] = {0,
+                                       EW_PERMUTATION_DITHER,
+                                       EW_PERMUTATION_DITHER | EW_PERMUTATION_DITHER_SRGB,
+                                       EW_PERMUTATION_SOFT,
+                                       EW_PERMUTATION_SOFT | EW_PERMUTATION_DITHER,
+                                       EW_PERMUTATION_SOFT | EW_PERMUTATION_DITHER | EW_PERMUTATION_DITHER_SRGB,
+                                       EW_PERMUTATION_LUMINANCE,
+                                       EW_PERMUTATION_EVALUATIONS};
+    for (size_t depth = 0; depth < sizeof depths / sizeof depths[0]; ++depth)
+        for (size_t output = 0; output < sizeof outputs / sizeof outputs[0]; ++output)
+            for (int field = 0; field < FIELD_COUNT; ++field) {
+                unsigned key = depths[depth] | outputs[output] | fields[field];
+                write_fragment_shader(profile, key);
+                key |= EW_PERMUTATION_WEIGHTS | EW_PERMUTATION_BENDS | EW_PERMUTATION_CORE_PIXELS;
+                write_fragment_shader(profile, with_kinds(key, all_kinds, EW_ANY_COUNT));
+                write_fragment_shader(profile, with_kinds(key | EW_PERMUTATION_SIMPSON, all_kinds, 1));
+            }
+}
+
+/* ---- The text for hosts ---- */
+
+/* As the only thing in a shader that uses it. */
 static void write_include(const shader_profile *profile, unsigned key)
 {
+    const char *interval = key & EW_PERMUTATION_WORLD ? "" : "vec2(0.0, 1.0), ";
     ew_shader_text text;
     ew_write_include(&text, &profile->dialect, key);
     char *joined = malloc(ew_join_shader_text(&text, NULL) + 1);
     if (!joined) exit(EXIT_FAILURE);
     ew_join_shader_text(&text, joined);
-    const char *const strings[] = {profile->include_version, joined, "out vec4 color;\nvoid main()\n{\n",
-                                   "color = ew_light(vec3(0.0), vec3(1.0), vec2(0.0, 1.0), 1.0);\n",
-                                   "color.a = ew_luminance(vec3(0.0), vec3(1.0), vec2(0.0, 1.0), 1.0);\n}\n"};
-    write_strings(profile->name, "include-", key, "frag", strings, 5);
+    const char *const strings[] = {profile->include_version,
+                                   joined,
+                                   "out vec4 color;\nvoid main()\n{\ncolor = ew_light(vec3(0.0), vec3(1.0), ",
+                                   interval,
+                                   "1.0);\ncolor.a = ew_luminance(vec3(0.0), vec3(1.0), ",
+                                   interval,
+                                   "1.0);\n}\n"};
+    write_strings(profile->name, "include-", key, "frag", strings, sizeof strings / sizeof strings[0]);
     free(joined);
 }
 
-/* Without sources, of the kinds one by one, and of all at once with weights. */
+/* Without sources, of the kinds one by one, and of all at once with all that they may have. */
 static void write_includes(const shader_profile *profile)
 {
-    for (unsigned simpson = 0; simpson <= EW_PERMUTATION_SIMPSON; simpson += EW_PERMUTATION_SIMPSON) {
-        unsigned all = simpson | EW_PERMUTATION_WEIGHTS;
-        write_include(profile, simpson);
-        for (int kind = 0; kind < EW_KIND_COUNT; ++kind) {
-            write_include(profile, ew_permutation_with_count(simpson, kind, (size_t)kind % 4 + 1));
-            all = ew_permutation_with_count(all, kind, EW_ANY_COUNT);
+    const unsigned extras = EW_PERMUTATION_WEIGHTS | EW_PERMUTATION_BENDS | EW_PERMUTATION_CORE_PIXELS;
+    for (unsigned simpson = 0; simpson <= EW_PERMUTATION_SIMPSON; simpson += EW_PERMUTATION_SIMPSON)
+        for (int field = 0; field < FIELD_COUNT; ++field) {
+            unsigned flags = simpson | fields[field];
+            write_include(profile, flags);
+            for (int kind = 0; kind < EW_KIND_COUNT; ++kind)
+                write_include(profile, ew_permutation_with_count(flags, kind, (size_t)kind % 4 + 1));
+            write_include(profile, with_kinds(flags | extras, all_kinds, EW_ANY_COUNT));
         }
-        write_include(profile, all);
-    }
 }
 
 int main(int argc, char **argv)
@@ -123,7 +200,8 @@ int main(int argc, char **argv)
         {"300es", {true, false, 16, smallest}, "#version 300 es\n"},
     };
     for (size_t i = 0; i < sizeof profiles / sizeof profiles[0]; ++i) {
-        write_permutations(&profiles[i]);
+        write_all_integrals(&profiles[i]);
+        write_passes(&profiles[i]);
         if (profiles[i].include_version) write_includes(&profiles[i]);
     }
     return EXIT_SUCCESS;

@@ -9,7 +9,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-enum { MAX_RANDOM_WEIGHTS = 6, MAX_RANDOM_POINTS = 7 };
+enum { MAX_RANDOM_WEIGHTS = 6, MAX_RANDOM_POINTS = 10 };
 
 typedef struct random_place {
     uint64_t *random;

@@ -444,6 +444,103 @@ static void sources_beyond_what_the_shader_resolves_are_refused(void **state)
     }
 }
 
+/* A world frame asks for what sources without a frame need not have. */
+static void a_source_without_a_reach_is_refused_by_name_in_a_world_frame(void **state)
+{
+    (void)state;
+    static const double places[2][3] = {{0, 0, -5}, {1, 0, -5}};
+    ew_point point = {.position = {0, 0, -5}, .coefficient = 1, .core = 0.1};
+    ew_line line = {.position = {0, 0, -5}, .direction = {1, 0, 0}, .coefficient = 1, .core = 0.1};
+    ew_torus torus = {.center = {0, 0, -5}, .axis = {0, 1, 0}, .radius = 1, .coefficient = 1, .core = 0.1};
+    ew_curve curve = {.polynomial = {{0, 0, -5}, {1, 0, 0}, {0}}, .domain = {0, 1}, .coefficient = 1, .core = 0.1};
+    ew_path path = {.points = places, .point_count = 2, .coefficient = 1, .core = 0.1};
+    const ew_point good = {.position = {0, 0, -4}, .brightness = 1, .core = 0.1, .reach = 1};
+    const struct {
+        ew_sources_desc desc;
+        double *reach;
+        const char *name;
+    } cases[] = {
+        {{.points = &point, .point_count = 1}, &point.reach, "points[0].reach"},
+        {{.lines = &line, .line_count = 1, .points = &good, .point_count = 1}, &line.reach, "lines[0].reach"},
+        {{.tori = &torus, .torus_count = 1, .points = &good, .point_count = 1}, &torus.reach, "tori[0].reach"},
+        {{.curves = &curve, .curve_count = 1, .points = &good, .point_count = 1}, &curve.reach, "curves[0].reach"},
+        {{.paths = &path, .path_count = 1, .points = &good, .point_count = 1}, &path.reach, "paths[0].reach"},
+    };
+    ew_frame_desc frame = EW_FRAME_DEFAULTS;
+    frame.viewport_width = frame.viewport_height = 16;
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; ++i) {
+        ew_sources sources = {0};
+        ew_error error = {EW_OK, ""};
+        ew_plan plan;
+        for (int has_reach = 0; has_reach < 2; ++has_reach) {
+            *cases[i].reach = has_reach;
+            assert_int_equal(ew_sources_set(&sources, &cases[i].desc, ew_sources_capacity(65536), &ew_default_allocator, NULL),
+                             EW_OK);
+            ew_result result = ew_plan_frame(&plan, &sources, NULL, &frame, &error);
+            if (has_reach)
+                assert_int_equal(result, EW_OK);
+            else
+                check_refused(result, &error, EW_ERROR_INVALID_ARGUMENT, cases[i].name);
+        }
+        ew_sources_destroy(&sources, &ew_default_allocator);
+    }
+}
+
+/* The host may do with its arrays what it likes once the sources are set. */
+static void paths_are_copied(void **state)
+{
+    (void)state;
+    double points[3][3] = {{0, 0, -5}, {1, 0, -5}, {1, 1, -5}}, weights[4] = {1, 2, 3, 4};
+    ew_path path = {.points = (const double(*)[3])points,
+                    .point_count = 3,
+                    .weights = weights,
+                    .weight_count = 4,
+                    .brightness = 1,
+                    .core = 0.1,
+                    .reach = 1};
+    const ew_sources_desc desc = {.paths = &path, .path_count = 1};
+    ew_frame_desc frame = EW_FRAME_DEFAULTS;
+    frame.viewport_width = frame.viewport_height = 16;
+    ew_plan plan;
+    ew_sources kept = pack(&desc, &frame, &plan);
+    char before[64 * sizeof(ew_vec4)];
+    assert_true(kept.data_size <= sizeof before);
+    memcpy(before, kept.data, kept.data_size);
+    memset(points, 0xff, sizeof points);
+    memset(weights, 0xff, sizeof weights);
+    memset(&path, 0xff, sizeof path);
+    memset(kept.data, 0, kept.weight_units * sizeof(ew_vec4));
+    assert_int_equal(ew_plan_frame(&plan, &kept, NULL, &frame, NULL), EW_OK);
+    assert_memory_equal(before, kept.data, kept.data_size);
+    ew_sources_destroy(&kept, &ew_default_allocator);
+}
+
+/* b / (2 ln(R / r)), whatever the unit of length, and colours times exposure. */
+static void brightness_stands_for_a_coefficient_and_exposure_for_brighter_colors(void **state)
+{
+    (void)state;
+    static const double scales[] = {1e-3, 1, 1e4};
+    for (int i = 0; i < 3; ++i) {
+        double scale = scales[i];
+        const ew_point orb = {.position = {0, 0, -5 * scale},
+                              .brightness = 0.8,
+                              .core = 0.1 * scale,
+                              .reach = 2 * scale,
+                              .color = {0.25, 0.5, 1}};
+        const ew_sources_desc desc = {.points = &orb, .point_count = 1};
+        ew_frame_desc frame = EW_FRAME_DEFAULTS;
+        frame.viewport_width = frame.viewport_height = 16;
+        frame.exposure = 3;
+        ew_plan plan;
+        ew_sources sources = pack(&desc, &frame, &plan);
+        const struct ew_point_block *block = packed_point(&sources, 0);
+        check_close((double)block->color.w, 0.8 / (2 * log(20)), float_error);
+        check_vector(block->color, (const double[3]){0.75, 1.5, 3}, float_error);
+        check_close((double)(block->glow.y / block->glow.x), 20, 20 * float_error);
+        ew_sources_destroy(&sources, &ew_default_allocator);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -454,6 +551,9 @@ int main(void)
         cmocka_unit_test(an_arch_has_its_origin_at_the_vertex_and_a_straight_arc_on_itself),
         cmocka_unit_test(a_world_far_from_its_origin_is_packed_as_if_it_were_near),
         cmocka_unit_test(sources_beyond_what_the_shader_resolves_are_refused),
+        cmocka_unit_test(a_source_without_a_reach_is_refused_by_name_in_a_world_frame),
+        cmocka_unit_test(paths_are_copied),
+        cmocka_unit_test(brightness_stands_for_a_coefficient_and_exposure_for_brighter_colors),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

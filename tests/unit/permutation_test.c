@@ -58,6 +58,48 @@ static void a_general_shader_covers_what_it_is_general_for(void **state)
     assert_false(ew_permutation_covers(ew_permutation_with_depth(any, EW_DEPTH_KIND_SINGLE), two));
 }
 
+static void the_world_integral_has_reaches_and_cores_as_wide_as_pixels(void **state)
+{
+    (void)state;
+    const ew_mix point = {.point_count = 1};
+    ew_frame_desc frame = defaults;
+    unsigned world = ew_permutation_of(&point, &frame);
+    assert_true(world & EW_PERMUTATION_WORLD && world & EW_PERMUTATION_REACH && world & EW_PERMUTATION_CORE_PIXELS);
+    frame.core_pixels = 0;
+    assert_false(ew_permutation_of(&point, &frame) & EW_PERMUTATION_CORE_PIXELS);
+    frame.interval_start = 1;
+    frame.interval_end = 2;
+    const unsigned field = EW_PERMUTATION_WORLD | EW_PERMUTATION_REACH | EW_PERMUTATION_SHARPNESS | EW_PERMUTATION_CORE_PIXELS |
+                           EW_PERMUTATION_BENDS;
+    assert_false(ew_permutation_of(&point, &frame) & field);
+    frame.core_pixels = 1;
+    assert_true(ew_permutation_of(&point, &frame) & EW_PERMUTATION_CORE_PIXELS);
+}
+
+static void bends_count_only_where_there_are_paths(void **state)
+{
+    (void)state;
+    const ew_mix curves = {.curve_count = 2, .has_bends = 1}, paths = {.path_count = 2, .has_bends = 1};
+    assert_false(ew_permutation_of(&curves, &defaults) & EW_PERMUTATION_BENDS);
+    assert_true(ew_permutation_of(&paths, &defaults) & EW_PERMUTATION_BENDS);
+}
+
+/* Their blocks have other sizes. */
+static void shaders_with_and_without_reaches_do_not_cover_each_other(void **state)
+{
+    (void)state;
+    const ew_mix plain = {.point_count = 1}, reaching = {.point_count = 1, .has_reach = 1};
+    const ew_mix sharp = {.point_count = 1, .has_reach = 1, .has_sharpness = 1};
+    ew_frame_desc frame = defaults;
+    frame.interval_start = 1;
+    frame.interval_end = 2;
+    unsigned plain_key = ew_permutation_of(&plain, &frame), reaching_key = ew_permutation_of(&reaching, &frame);
+    assert_false(ew_permutation_covers(reaching_key, plain_key));
+    assert_false(ew_permutation_covers(plain_key, reaching_key));
+    assert_true(ew_permutation_covers(ew_permutation_of(&sharp, &frame), reaching_key));
+    assert_false(ew_permutation_covers(ew_permutation_of(&reaching, &defaults), reaching_key)); /* another integral */
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -65,6 +107,9 @@ int main(void)
         cmocka_unit_test(weights_count_only_where_a_kind_takes_them),
         cmocka_unit_test(dither_is_for_pictures_of_eight_bits_alone),
         cmocka_unit_test(a_general_shader_covers_what_it_is_general_for),
+        cmocka_unit_test(the_world_integral_has_reaches_and_cores_as_wide_as_pixels),
+        cmocka_unit_test(bends_count_only_where_there_are_paths),
+        cmocka_unit_test(shaders_with_and_without_reaches_do_not_cover_each_other),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -4,6 +4,7 @@
 #include "model/sources.h"
 
 #include <float.h>
+#include <stdio.h>
 #include <stdlib.h>
 
 /* What a number of a source may be. */
@@ -15,6 +16,8 @@ typedef struct field {
     ew_line lines[2];
     ew_torus tori[2];
     ew_curve curves[2];
+    ew_path paths[2];
+    double path_points[2][4][3];
     double weights[4];
     ew_sources_desc desc;
 } field;
@@ -33,6 +36,16 @@ static void make_field(field *f)
                                   .coefficient = 1,
                                   .color = {1, 1, 1}};
     }
+    static const double polyline[4][3] = {{0, 0, 0}, {1, 0, 0}, {1, 2, 0}, {1, 2, 3}};
+    for (int i = 0; i < 2; ++i) {
+        memcpy(f->path_points[i], polyline, sizeof polyline);
+        f->paths[i] = (ew_path){.points = (const double(*)[3])f->path_points[i],
+                                .point_count = 4,
+                                .weights = f->weights,
+                                .weight_count = 4,
+                                .coefficient = 1,
+                                .color = {1, 1, 1}};
+    }
     f->desc = (ew_sources_desc){.points = f->points,
                                 .point_count = 2,
                                 .lines = f->lines,
@@ -41,6 +54,8 @@ static void make_field(field *f)
                                 .torus_count = 2,
                                 .curves = f->curves,
                                 .curve_count = 2,
+                                .paths = f->paths,
+                                .path_count = 2,
                                 .epsilon = 1e-3};
 }
 
@@ -108,6 +123,16 @@ static void every_number_out_of_range_is_refused_by_name(void **state)
         {&f.curves[1].domain[1], "curves[1].domain", FINITE},
         {&f.curves[1].coefficient, "curves[1].coefficient", NOT_NEGATIVE},
         {&f.curves[1].color[0], "curves[1].color", NOT_NEGATIVE},
+        {&f.paths[1].coefficient, "paths[1].coefficient", NOT_NEGATIVE},
+        {&f.paths[1].color[2], "paths[1].color", NOT_NEGATIVE},
+        {&f.path_points[1][3][1], "paths[1].points[3]", FINITE},
+        {&f.points[1].brightness, "points[1].brightness", NOT_NEGATIVE},
+        {&f.lines[1].core, "lines[1].core", NOT_NEGATIVE},
+        {&f.tori[1].reach, "tori[1].reach", NOT_NEGATIVE},
+        {&f.curves[1].brightness, "curves[1].brightness", NOT_NEGATIVE},
+        {&f.curves[1].sharpness, "curves[1].sharpness", NOT_NEGATIVE},
+        {&f.paths[1].core, "paths[1].core", NOT_NEGATIVE},
+        {&f.paths[1].reach, "paths[1].reach", NOT_NEGATIVE},
     };
     const double bad[] = {(double)NAN, (double)INFINITY, -(double)INFINITY, -1, -DBL_MIN, 0};
     const size_t bad_count[] = {[FINITE] = 3, [NOT_NEGATIVE] = 5, [POSITIVE] = 6};
@@ -182,6 +207,18 @@ static void lists_and_counts_that_disagree_are_refused(void **state)
     f.desc.curves = NULL;
     expect_refused(&f.desc, EW_ERROR_INVALID_ARGUMENT, "curves");
     make_field(&f);
+    f.desc.paths = NULL;
+    expect_refused(&f.desc, EW_ERROR_INVALID_ARGUMENT, "paths");
+    make_field(&f);
+    f.paths[1].points = NULL;
+    expect_refused(&f.desc, EW_ERROR_INVALID_ARGUMENT, "paths[1].points");
+    make_field(&f);
+    f.paths[1].weights = NULL;
+    expect_refused(&f.desc, EW_ERROR_INVALID_ARGUMENT, "paths[1].weights");
+    make_field(&f);
+    f.paths[1].weight_count = 0;
+    expect_refused(&f.desc, EW_ERROR_INVALID_ARGUMENT, "paths[1].weights");
+    make_field(&f);
     f.curves[1].weights = NULL;
     expect_refused(&f.desc, EW_ERROR_INVALID_ARGUMENT, "curves[1].weights");
     make_field(&f);
@@ -198,23 +235,41 @@ static void more_sources_than_the_context_holds_are_refused(void **state)
     (void)state;
     field f;
     make_field(&f);
-    /* Two of each take 2 (2 + 3 + 3 + 6) units, and 2 curves with 4 weights each make 2 pieces each: 32 together. */
+    /* Two of each take 2 (2 + 3 + 3 + 6 + 4) units; 2 curves and 2 paths with 4 weights each make 2 pieces of weights each; and
+     * 2 paths have 3 straight pieces of 2 units each: 56 together. */
     ew_error error = {EW_OK, ""};
     ew_sources taken = {0};
     static const struct {
         size_t capacity;
         const char *refused;
-    } cases[] = {{3, "2 points"}, {9, "2 lines"}, {15, "2 tori"}, {27, "2 curves"}, {31, "4 pieces of weights"}};
+    } cases[] = {{3, "2 points"},
+                 {9, "2 lines"},
+                 {15, "2 tori"},
+                 {27, "2 curves"},
+                 {35, "2 paths"},
+                 {43, "8 pieces of weights"},
+                 {55, "12 units of paths' pieces"}};
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; ++i)
         check_refused(ew_sources_set(&taken, &f.desc, cases[i].capacity, &ew_default_allocator, &error), &error,
                       EW_ERROR_TOO_MANY_SOURCES, cases[i].refused);
-    assert_int_equal(ew_sources_set(&taken, &f.desc, 32, &ew_default_allocator, &error), EW_OK);
-    assert_int_equal(taken.data_size, 32 * sizeof(ew_vec4));
+    assert_int_equal(ew_sources_set(&taken, &f.desc, 56, &ew_default_allocator, &error), EW_OK);
+    assert_int_equal(taken.data_size, 56 * sizeof(ew_vec4));
+    ew_sources_destroy(&taken, &ew_default_allocator);
+
+    /* A core of one source's own makes the blocks of all one unit longer. */
+    f.lines[0].core = 0.5;
+    check_refused(ew_sources_set(&taken, &f.desc, 65, &ew_default_allocator, &error), &error, EW_ERROR_TOO_MANY_SOURCES,
+                  "units of paths' pieces");
+    assert_int_equal(ew_sources_set(&taken, &f.desc, 66, &ew_default_allocator, &error), EW_OK);
+    assert_int_equal(taken.data_size, 66 * sizeof(ew_vec4));
     ew_sources_destroy(&taken, &ew_default_allocator);
 
     make_field(&f);
     f.desc.point_count = SIZE_MAX;
     expect_refused(&f.desc, EW_ERROR_TOO_MANY_SOURCES, "points");
+    make_field(&f);
+    f.desc.path_count = SIZE_MAX;
+    expect_refused(&f.desc, EW_ERROR_TOO_MANY_SOURCES, "paths");
 }
 
 static void uniform_blocks_bound_the_number_of_sources(void **state)
@@ -227,6 +282,124 @@ static void uniform_blocks_bound_the_number_of_sources(void **state)
     size_t least = ew_sources_capacity(16384);
     assert_true(sizeof(struct ew_uniform_head) + least * sizeof(ew_vec4) <= 16384);
     assert_in_range(least, EW_MAX_SOURCE_UNITS / 4 - 32, EW_MAX_SOURCE_UNITS / 4 + 8);
+}
+
+/* ---- What every kind may have ---- */
+
+/* The last members of source 1 of a kind. */
+static ew_emission *second_emission(field *f, int kind)
+{
+    void *const lists[EW_KIND_COUNT] = {f->points, f->lines, f->tori, f->curves, f->paths};
+    return (ew_emission *)(void *)((char *)lists[kind] + ew_kinds[kind]->size + ew_kinds[kind]->emission_offset);
+}
+
+typedef struct bad_emission {
+    ew_emission emission;
+    const char *field;
+} bad_emission;
+
+static const bad_emission bad_emissions[] = {
+    {{.coefficient = 1, .core = 0.1, .reach = 0.1}, "reach"},
+    {{.coefficient = 1, .core = 0.1, .reach = 0.05}, "reach"},
+    {{.coefficient = 1, .reach = 1e-3}, "reach"}, /* the core is epsilon */
+    {{.coefficient = 1, .reach = 5e-4}, "reach"},
+    {{.coefficient = 1, .reach = (double)INFINITY}, "reach"},
+    {{.coefficient = 1, .brightness = 1, .core = 0.1, .reach = 1}, "brightness"},
+    {{.brightness = 1, .core = 0.1}, "brightness"},
+    {{.brightness = (double)NAN, .core = 0.1, .reach = 1}, "brightness"},
+    {{.coefficient = 1, .sharpness = 2}, "sharpness"},
+    {{.coefficient = 1, .reach = 1, .sharpness = 0.5}, "sharpness"},
+    {{.coefficient = 1, .reach = 1, .sharpness = -2}, "sharpness"},
+    {{.coefficient = 1, .reach = 1, .sharpness = (double)NAN}, "sharpness"},
+    {{.coefficient = 1, .reach = 1, .sharpness = (double)INFINITY}, "sharpness"},
+    {{.coefficient = 1, .core = (double)INFINITY}, "core"},
+};
+
+static void bad_cores_reaches_and_brightness_are_refused_by_name_in_every_kind(void **state)
+{
+    (void)state;
+    for (int kind = 0; kind < EW_KIND_COUNT; ++kind)
+        for (size_t i = 0; i < sizeof bad_emissions / sizeof bad_emissions[0]; ++i) {
+            field f;
+            char expected[64];
+            make_field(&f);
+            *second_emission(&f, kind) = bad_emissions[i].emission;
+            snprintf(expected, sizeof expected, "%s[1].%s", ew_kinds[kind]->list_name, bad_emissions[i].field);
+            expect_refused(&f.desc, EW_ERROR_INVALID_ARGUMENT, expected);
+        }
+}
+
+static void good_cores_reaches_and_brightness_are_taken_in_every_kind(void **state)
+{
+    (void)state;
+    static const ew_emission good[] = {
+        {.coefficient = 1, .core = 1e-2},
+        {.coefficient = 1, .reach = 2e-3},
+        {.brightness = 3, .reach = 1},
+        {.brightness = 3, .core = 0.5, .reach = 0.500001, .sharpness = 1},
+        {.coefficient = 3, .core = 0.5, .reach = 2, .sharpness = 8},
+        {.reach = 1}, /* dark */
+    };
+    for (int kind = 0; kind < EW_KIND_COUNT; ++kind)
+        for (size_t i = 0; i < sizeof good / sizeof good[0]; ++i) {
+            field f;
+            ew_sources taken = {0};
+            make_field(&f);
+            *second_emission(&f, kind) = good[i];
+            assert_int_equal(create(&f.desc, &taken, NULL), EW_OK);
+            ew_sources_destroy(&taken, &ew_default_allocator);
+        }
+}
+
+/* Epsilon may be left out once every source has a core. */
+static void a_source_without_any_core_is_refused_by_name(void **state)
+{
+    (void)state;
+    for (int kind = 0; kind < EW_KIND_COUNT; ++kind) {
+        field f;
+        char expected[64];
+        make_field(&f);
+        f.desc.epsilon = 0;
+        for (int k = 0; k < EW_KIND_COUNT; ++k) {
+            ew_emission *second = second_emission(&f, k);
+            second->core = k == kind ? 0 : 0.1;
+            ((ew_emission *)(void *)((char *)second - ew_kinds[k]->size))->core = 0.1;
+        }
+        snprintf(expected, sizeof expected, "%s[1].core", ew_kinds[kind]->list_name);
+        expect_refused(&f.desc, EW_ERROR_INVALID_ARGUMENT, expected);
+        expect_refused(&f.desc, EW_ERROR_INVALID_ARGUMENT, "epsilon");
+        second_emission(&f, kind)->core = 0.1;
+        ew_sources taken = {0};
+        assert_int_equal(create(&f.desc, &taken, NULL), EW_OK);
+        ew_sources_destroy(&taken, &ew_default_allocator);
+    }
+}
+
+static void wrong_counts_of_points_are_refused_by_name(void **state)
+{
+    (void)state;
+    static const struct {
+        ew_path_kind kind;
+        size_t count;
+        int is_closed;
+        const char *field;
+    } bad[] = {
+        {EW_PATH_POLYLINE, 0, 0, "paths[1].points"},    {EW_PATH_POLYLINE, 1, 0, "paths[1].points"},
+        {EW_PATH_POLYLINE, 2, 1, "paths[1].points"},    {EW_PATH_BSPLINE, 2, 0, "paths[1].points"},
+        {EW_PATH_BSPLINE, 2, 1, "paths[1].points"},     {EW_PATH_BEZIER, 3, 0, "paths[1].points"},
+        {EW_PATH_BEZIER, 1, 0, "paths[1].points"},      {EW_PATH_BEZIER, 4, 1, "paths[1].is_closed"},
+        {EW_PATH_CATMULL_ROM, 1, 0, "paths[1].points"}, {EW_PATH_CATMULL_ROM, 2, 1, "paths[1].points"},
+        {EW_PATH_POLYLINE, 4, 2, "paths[1].is_closed"}, {EW_PATH_POLYLINE, 4, -1, "paths[1].is_closed"},
+        {(ew_path_kind)4, 4, 0, "paths[1].kind"},       {(ew_path_kind)-1, 4, 0, "paths[1].kind"},
+    };
+    for (size_t i = 0; i < sizeof bad / sizeof bad[0]; ++i) {
+        field f;
+        make_field(&f);
+        f.paths[1].kind = bad[i].kind;
+        f.paths[1].point_count = bad[i].count;
+        f.paths[1].is_closed = bad[i].is_closed;
+        expect_refused(&f.desc, EW_ERROR_INVALID_ARGUMENT, bad[i].field);
+    }
 }
 
 static void the_largest_lists_are_taken(void **state)
@@ -321,6 +494,10 @@ int main(void)
         cmocka_unit_test(lists_and_counts_that_disagree_are_refused),
         cmocka_unit_test(more_sources_than_the_context_holds_are_refused),
         cmocka_unit_test(uniform_blocks_bound_the_number_of_sources),
+        cmocka_unit_test(bad_cores_reaches_and_brightness_are_refused_by_name_in_every_kind),
+        cmocka_unit_test(good_cores_reaches_and_brightness_are_taken_in_every_kind),
+        cmocka_unit_test(a_source_without_any_core_is_refused_by_name),
+        cmocka_unit_test(wrong_counts_of_points_are_refused_by_name),
         cmocka_unit_test(the_largest_lists_are_taken),
         cmocka_unit_test(the_limits_of_what_is_allowed_are_taken),
         cmocka_unit_test(success_leaves_the_error_alone),

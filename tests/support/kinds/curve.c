@@ -180,8 +180,7 @@ static size_t numbers(void *source, number_run runs[MAX_SOURCE_RUNS])
     size_t count = 0;
     runs[count++] = (number_run){&curve->polynomial[0][0], 9};
     runs[count++] = (number_run){curve->domain, 2};
-    runs[count++] = (number_run){&curve->coefficient, 1};
-    runs[count++] = (number_run){curve->color, 3};
+    runs[count++] = (number_run){&curve->coefficient, sizeof(source_light) / sizeof(double)};
     /* The library's weights are constants; these are the caller's. */
     runs[count++] = (number_run){(double *)curve->weights, curve->weight_count};
     return count;

@@ -119,6 +119,58 @@ static size_t numbers(void *source, number_run runs[MAX_SOURCE_RUNS])
     return count;
 }
 
+/* ---- Hostile input ------------------------------------------------------------------------------------------------------ */
+
+/* Brings points to where a path degenerates: on one another, back to where it was, straight on, or nearly so. */
+static void degenerate(uint64_t *random, double points[][3], size_t count)
+{
+    for (size_t k = 2; k < count; k++) {
+        double along = random_between(random, -1, 2), close = random_power_of_ten(random, -12, 0);
+        size_t choice = random_index(random, 6);
+        for (int i = 0; i < 3; i++) {
+            double step = points[k - 1][i] - points[k - 2][i];
+            if (choice == 0) points[k][i] = points[k - 1][i] + along * step;
+            if (choice == 1) points[k][i] = points[k - 2][i];
+            if (choice == 2) points[k][i] = points[k - 1][i] + close * (points[k][i] - points[k - 1][i]);
+        }
+    }
+}
+
+static void make_weights(const random_place *at, ew_path *path, double *weights)
+{
+    path->weights = weights;
+    path->weight_count = 1 + random_index(at->random, MAX_RANDOM_WEIGHTS);
+    for (size_t i = 0; i < MAX_RANDOM_WEIGHTS; i++)
+        weights[i] = at->extreme ? random_power_of_ten(at->random, -9, 3) * (double)random_index(at->random, 3)
+                                 : random_unit(at->random);
+}
+
+static void make(const random_place *at, void *source, double *weights)
+{
+    ew_path *path = source;
+    double(*points)[3] = (double(*)[3])path->points; /* the caller's */
+    path->kind = (ew_path_kind)random_index(at->random, 4);
+    path->is_closed = path->kind != EW_PATH_BEZIER && random_chance(at->random, 0.3);
+    path->point_count = 3 + random_index(at->random, MAX_RANDOM_POINTS - 2);
+    if (path->kind == EW_PATH_BEZIER) path->point_count = 4 + 3 * random_index(at->random, MAX_RANDOM_POINTS / 3);
+    if (path->kind == EW_PATH_POLYLINE && !path->is_closed && random_chance(at->random, 0.3)) path->point_count = 2;
+    for (size_t k = 0; k < path->point_count; k++)
+        random_position(at, points[k]);
+    if (at->extreme) degenerate(at->random, points, path->point_count);
+    random_light(at, &path->coefficient, path->color);
+    if (weights) make_weights(at, path, weights);
+}
+
+static size_t numbers(void *source, number_run runs[MAX_SOURCE_RUNS])
+{
+    ew_path *path = source;
+    /* The library's points and weights are constants; these are the caller's. */
+    runs[0] = (number_run){(double *)path->points, 3 * path->point_count};
+    runs[1] = (number_run){&path->coefficient, sizeof(source_light) / sizeof(double)};
+    runs[2] = (number_run){(double *)path->weights, path->weight_count};
+    return 3;
+}
+
 const source_kind path_kind = {
     .name = "path",
     .list_name = "paths",
