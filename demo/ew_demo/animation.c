@@ -118,12 +118,12 @@ static void set_slash(demo_animation *a, double seconds)
     double since = seconds_since(slashes[latest].second, seconds);
     ew_path *slash = &a->paths[ANIMATION_SLASH];
     path_make_arc(&slashes[latest].arc, a->path_points[ANIMATION_SLASH], slash->point_count);
-    double edge = since / 0.4, left = 1 - ramp(0.3, slash_fade, since);
+    double edge = since / 0.3, left = 1 - ramp(0.35, slash_fade, since);
     slash->brightness = 3 * left;
     for (size_t i = 0; i < slash->weight_count; i++) {
         double u = (double)i / (double)(slash->weight_count - 1), behind = edge - 1.1 * u;
         double tips = ramp(0, 0.25, u) * (1 - ramp(0.85, 1, u));
-        a->weights[ANIMATION_SLASH][i] = tips * ramp(0, 0.12, behind) * exp(-1.2 * fmax(behind, 0));
+        a->weights[ANIMATION_SLASH][i] = tips * ramp(0, 0.12, behind) * exp(-0.6 * fmax(behind, 0));
     }
 }
 
@@ -152,10 +152,10 @@ static void set_ring(demo_animation *a, double seconds)
 /* Before the court, to and fro; or from far away into the orb, nearer by the same factor in every second. */
 static void set_camera(scene_camera *camera, bool flies, double seconds)
 {
-    double angle = 0.24 + 0.17 * wave(seconds, 1, 0), distance = 16.4 + 0.8 * wave(seconds, 1, 0.2);
+    double angle = 0.24 + 0.14 * wave(seconds, 1, 0), distance = 16.4 + 0.8 * wave(seconds, 1, 0.2);
     double height = 3.4 + 0.7 * wave(seconds, 1, 0.35);
     vector_copy((double[3]){distance * sin(angle), height, distance * cos(angle)}, camera->eye);
-    vector_copy((double[3]){0.2, 2.75, 0}, camera->target);
+    vector_copy((double[3]){0.9, 2.75, 0}, camera->target);
     if (!flies) return;
     double nearness = pow(0.001, seconds / ANIMATION_SECONDS);
     vector_copy(court_orb, camera->target);
@@ -195,8 +195,8 @@ static void init_paths(demo_animation *a)
                              .point_count = 11,
                              .weight_count = 32,
                              .color = {1.8, 0.22, 0.5},
-                             .core = 0.045,
-                             .reach = 0.9},
+                             .core = 0.06,
+                             .reach = 1.1},
         [ANIMATION_BEAM] = {.kind = EW_PATH_POLYLINE, .point_count = 2, .color = {1.8, 0.6, 0.14}, .core = 0.11, .reach = 1.3},
     };
     for (int i = 0; i < ANIMATION_PATHS; i++) {
@@ -210,7 +210,7 @@ static void init_paths(demo_animation *a)
 
 void animation_init(demo_animation *a)
 {
-    *a = (demo_animation){.scene = {.camera = {.up = {0, 1, 0}, .fov_y_degrees = 40, .near_depth = 0.05, .far_depth = 300},
+    *a = (demo_animation){.scene = {.camera = {.up = {0, 1, 0}, .fov_y_degrees = 42, .near_depth = 0.05, .far_depth = 300},
                                     .decay_alpha = 1,
                                     .decay_beta = 1,
                                     .core_pixels = EW_CORE_PIXELS_DEFAULT,

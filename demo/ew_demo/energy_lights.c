@@ -5,7 +5,7 @@
 enum { LIGHTS_OF_A_TORUS = 12, LIGHTS_OF_A_PATH = 8 };
 
 /* Light per metre of a source and unit of its coefficient. */
-static const double gain = 2.5;
+static const double gain = 1.6;
 
 /* A point sheds as much light as so many radii of its core, seen as a line. */
 static const double point_length = 6;

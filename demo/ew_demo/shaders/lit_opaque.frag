@@ -117,8 +117,9 @@ void main()
         float distance2 = dot(to_light, to_light) + light_position[i].w * light_position[i].w;
         vec3 direction = to_light * inversesqrt(distance2);
         vec3 light = light_color[i].rgb / distance2;
-        diffuse += light * max(0.0, dot(normal, direction)) * mix(0.35, 1.0, open);
-        gloss += light * pow(max(0.0, dot(normal, normalize(direction + to_eye))), 40.0);
+        float facing = max(0.0, dot(normal, direction));
+        diffuse += light * facing * mix(0.35, 1.0, open);
+        gloss += light * min(10.0 * facing, 1.0) * pow(max(0.0, dot(normal, normalize(direction + to_eye))), 40.0);
     }
     float fresnel = 0.04 + 0.5 * pow(1.0 - max(0.0, dot(normal, to_eye)), 4.0);
     vec3 color = surface_color * joints(surface_position, normal) * diffuse + fresnel * open * gloss;
