@@ -62,7 +62,7 @@ static void set_orb(demo_animation *a, double seconds)
     ew_point *orb = &a->points[ANIMATION_ORB];
     orb->core = 0.16 + 0.22 * charged;
     orb->reach = 1.6 + 1.4 * charged + 0.8 * flash;
-    orb->brightness = 1.7 + 1.1 * charged + 1.2 * flash;
+    orb->brightness = 2 + 1.2 * charged + 1.2 * flash;
 }
 
 static void set_lightning(demo_animation *a, double seconds)
@@ -123,7 +123,7 @@ static void set_slash(demo_animation *a, double seconds)
     for (size_t i = 0; i < slash->weight_count; i++) {
         double u = (double)i / (double)(slash->weight_count - 1), behind = edge - 1.1 * u;
         double tips = ramp(0, 0.25, u) * (1 - ramp(0.85, 1, u));
-        a->weights[ANIMATION_SLASH][i] = tips * ramp(0, 0.12, behind) * exp(-0.6 * fmax(behind, 0));
+        a->weights[ANIMATION_SLASH][i] = tips * ramp(0, 0.15, behind) * exp(-0.6 * fmax(behind, 0));
     }
 }
 
@@ -164,7 +164,7 @@ static void set_camera(scene_camera *camera, bool flies, double seconds)
 
 static void init_points(demo_animation *a)
 {
-    a->points[ANIMATION_ORB] = (ew_point){.color = {0.28, 0.62, 1.6}, .sharpness = 2};
+    a->points[ANIMATION_ORB] = (ew_point){.color = {0.4, 0.8, 2.0}, .sharpness = 2.5};
     a->points[ANIMATION_IMPACT] = (ew_point){.color = {1.6, 0.5, 0.12}, .core = 0.22, .reach = 1.8, .sharpness = 2};
     vector_copy(court_orb, a->points[ANIMATION_ORB].position);
     vector_copy(court_target, a->points[ANIMATION_IMPACT].position);
