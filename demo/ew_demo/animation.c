@@ -194,7 +194,7 @@ static void init_paths(demo_animation *a)
         [ANIMATION_SLASH] = {.kind = EW_PATH_BSPLINE,
                              .point_count = 11,
                              .weight_count = 32,
-                             .color = {1.8, 0.22, 0.5},
+                             .color = {2, 0.35, 0.65},
                              .core = 0.06,
                              .reach = 1.1},
         [ANIMATION_BEAM] = {.kind = EW_PATH_POLYLINE, .point_count = 2, .color = {1.8, 0.6, 0.14}, .core = 0.11, .reach = 1.3},
