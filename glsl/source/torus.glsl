@@ -46,17 +46,13 @@ float ew_integrate_torus_panels(ew_torus_side near, vec2 near_core, ew_torus_sid
 
 // The integral over a segment of 1 / max(epsilon, distance to a torus), equation (7). Relative error 3.5e-4 at worst in the
 // scenes of tori at a tolerance of 1e-3, except for rounding in tori much larger than the interval.
-float ew_integrate(ew_segment segment, ew_torus_block torus, float others)
+float ew_integrate(ew_segment segment, ew_torus_block torus, vec2 chord, float others)
 {
     float radius = ew_radius(torus);
-    vec2 part = vec2(0.0, segment.end);
-#ifdef EW_REACH
-    if (torus.glow.y > 0.0) part = ew_chord(segment, torus);
-#endif
-    ew_torus_ray ray = ew_make_torus_ray(segment, torus, part);
+    ew_torus_ray ray = ew_make_torus_ray(segment, torus, chord);
     ew_torus_zeros zeros = ew_find_torus_zeros(ray, radius);
-    ew_torus_side far = ew_make_torus_side(ray, radius, torus.glow, 1.0, part.y - ray.center, zeros.plus, zeros.minus);
-    ew_torus_side near = ew_make_torus_side(ray, radius, torus.glow, -1.0, ray.center - part.x, zeros.minus, zeros.plus);
+    ew_torus_side far = ew_make_torus_side(ray, radius, torus.glow, 1.0, chord.y - ray.center, zeros.plus, zeros.minus);
+    ew_torus_side near = ew_make_torus_side(ray, radius, torus.glow, -1.0, ray.center - chord.x, zeros.minus, zeros.plus);
 
 #ifdef EW_REACH
     if (torus.glow.y > 0.0) {

@@ -267,6 +267,7 @@ static ew_result make_shapes(const ew_sources_desc *desc, ew_sources *sources, e
             kind->chain->make(source, core, pieces);
             range->pieces = pieces;
             range->piece_units = kind->chain->piece_units(source, pieces, range->piece_count);
+            sources->has_joints = sources->has_joints || range->piece_units > 0;
             sources->has_bends = sources->has_bends || range->piece_units == EW_MAX_PIECE_UNITS;
             pieces += range->piece_count * kind->chain->piece_size;
             unit += range->piece_count * range->piece_units;
@@ -308,8 +309,10 @@ void ew_sources_destroy(ew_sources *sources, const ew_allocator *allocator)
 
 ew_mix ew_sources_mix(const ew_sources *sources)
 {
-    ew_mix mix = {
-        .has_weights = sources->weight_piece_count > 0, .has_reach = sources->has_glow, .has_bends = sources->has_bends};
+    ew_mix mix = {.has_weights = sources->weight_piece_count > 0,
+                  .has_reach = sources->has_glow,
+                  .has_joints = sources->has_joints,
+                  .has_bends = sources->has_bends};
     for (int k = 0; k < EW_KIND_COUNT; ++k) {
         const ew_kind *kind = ew_kinds[k];
         memcpy((char *)&mix + kind->mix_offset, &sources->counts[k], sizeof sources->counts[k]);

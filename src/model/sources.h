@@ -20,7 +20,7 @@ typedef struct ew_sources {
     ew_ball *balls;               /* one for each source, kind after kind */
     ew_piece_range *piece_ranges; /* one for each source that is a chain, kind after kind */
     void *pieces;                 /* in world space */
-    bool has_bends;               /* a path has bent pieces */
+    bool has_joints, has_bends;   /* a path has bent pieces */
     ew_weight_range *weights;     /* one for each source of a kind that has weights, kind after kind */
     void *data;                   /* what goes into the uniform block */
     size_t data_size;

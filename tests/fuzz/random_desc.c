@@ -40,7 +40,8 @@ static bool random_sources(random_desc *desc, const shader_mix *mix, const rando
         set_source_list(kind, &desc->sources, desc->lists[k]);
         set_source_count(kind, &desc->sources, count);
         for (size_t i = 0; i < count; i++)
-            kind->make(place, (char *)desc->lists[k] + i * kind->size, mix->weighted ? desc->weights[k][i] : NULL);
+            kind->make(place, (char *)desc->lists[k] + i * kind->size, mix->weighted ? desc->weights[k][i] : NULL,
+                       desc->points[i]);
     }
     return true;
 }

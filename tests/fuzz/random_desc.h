@@ -35,6 +35,7 @@ typedef struct random_desc {
     ew_sources_desc sources;
     void *lists[SOURCE_KIND_COUNT]; /* room for MAX_KIND sources of each kind; `sources` points there */
     double weights[SOURCE_KIND_COUNT][MAX_KIND][MAX_RANDOM_WEIGHTS];
+    double points[MAX_KIND][MAX_RANDOM_POINTS][3]; /* of paths */
 } random_desc;
 
 /* The ordinary are what a host would ask for, at a scale of 1. The extreme go to the ends of the ranges that energywave.h

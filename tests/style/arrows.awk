@@ -49,7 +49,7 @@ function read_line(file, line,    code, name, is_outside)
     while (match(code, /[A-Za-z_][A-Za-z_0-9]*[ ]*\(/)) {
         name = substr(code, RSTART, RLENGTH - 1)
         sub(/ +$/, "", name)
-        if (name == "void") name = "" # a pointer to a function
+        if (name == "void" || name == "sizeof") name = "" # a pointer to a function, or a size in a static assertion
         if (!is_outside)
             calls[file] = calls[file] name " "
         else if (substr(code, RSTART + RLENGTH, 1) != "*") { # else the type of a pointer to a function

@@ -61,6 +61,8 @@ static void every_number_that_is_not_finite_is_refused_by_name(void **state)
         {&frame.interval_end, "interval_end"},
         {&frame.decay_alpha, "decay_alpha"},
         {&frame.decay_beta, "decay_beta"},
+        {&frame.core_pixels, "core_pixels"},
+        {&frame.exposure, "exposure"},
     };
     const double bad[] = {(double)NAN, (double)INFINITY, -(double)INFINITY};
     for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; ++i) {
@@ -144,6 +146,7 @@ static void only_a_parallel_projection_may_start_behind_the_eye(void **state)
     (void)state;
     ew_frame_desc frame = good_frame();
     frame.interval_start = 0;
+    frame.interval_end = 4;
     expect_refused(&frame, "interval_start");
     frame.interval_start = -1;
     expect_refused(&frame, "interval_start");
@@ -167,6 +170,8 @@ static void decay_out_of_range_is_refused(void **state)
 {
     (void)state;
     ew_frame_desc frame = good_frame();
+    frame.interval_start = 1;
+    frame.interval_end = 2;
     frame.decay_alpha = -1;
     expect_refused(&frame, "decay_alpha");
     frame.decay_alpha = 0;
@@ -175,6 +180,59 @@ static void decay_out_of_range_is_refused(void **state)
     expect_refused(&frame, "decay_beta");
     frame.decay_beta = -1;
     expect_refused(&frame, "decay_beta");
+}
+
+/* The world integral has none. */
+static void decay_without_an_interval_is_refused(void **state)
+{
+    (void)state;
+    const double bad[] = {0, 0.5, 2, -1, (double)NAN};
+    for (size_t i = 0; i < sizeof bad / sizeof bad[0]; ++i) {
+        ew_frame_desc frame = good_frame();
+        frame.decay_alpha = bad[i];
+        expect_refused(&frame, "decay_alpha");
+        frame = good_frame();
+        frame.decay_beta = bad[i];
+        expect_refused(&frame, "decay_beta");
+        frame.interval_end = 4;
+        frame.interval_start = 0.1;
+        frame.decay_beta = 0.5;
+        expect_taken(&frame);
+    }
+}
+
+static void core_pixels_out_of_range_are_refused(void **state)
+{
+    (void)state;
+    const double bad[] = {-0.5, -2, 64.5, (double)NAN, (double)INFINITY}, good[] = {0, 1.5, 64, EW_CORE_PIXELS_DEFAULT};
+    for (int is_world = 0; is_world < 2; ++is_world) {
+        ew_frame_desc frame = good_frame();
+        frame.interval_start = is_world ? 0 : 1;
+        frame.interval_end = is_world ? 0 : 2;
+        for (size_t i = 0; i < sizeof bad / sizeof bad[0]; ++i) {
+            frame.core_pixels = bad[i];
+            expect_refused(&frame, "core_pixels");
+        }
+        for (size_t i = 0; i < sizeof good / sizeof good[0]; ++i) {
+            frame.core_pixels = good[i];
+            expect_taken(&frame);
+        }
+    }
+}
+
+static void exposure_out_of_range_is_refused(void **state)
+{
+    (void)state;
+    const double bad[] = {-1e-300, -1, 1.1e6, (double)NAN, (double)INFINITY}, good[] = {0, 1, 1e6};
+    ew_frame_desc frame = good_frame();
+    for (size_t i = 0; i < sizeof bad / sizeof bad[0]; ++i) {
+        frame.exposure = bad[i];
+        expect_refused(&frame, "exposure");
+    }
+    for (size_t i = 0; i < sizeof good / sizeof good[0]; ++i) {
+        frame.exposure = good[i];
+        expect_taken(&frame);
+    }
 }
 
 static void numbers_of_divisions_that_simpson_cannot_take_are_refused(void **state)
@@ -200,7 +258,7 @@ static void numbers_of_divisions_that_simpson_cannot_take_are_refused(void **sta
 static void values_outside_an_enumeration_are_refused(void **state)
 {
     (void)state;
-    const int bad[] = {-1, 4, 1000};
+    const int bad[] = {-1, 5, 1000};
     for (size_t i = 0; i < sizeof bad / sizeof bad[0]; ++i) {
         ew_frame_desc frame = good_frame();
         frame.clip_depth = (ew_clip_depth)bad[i];
@@ -252,6 +310,9 @@ int main(void)
         cmocka_unit_test(only_a_parallel_projection_may_start_behind_the_eye),
         cmocka_unit_test(a_perspective_interval_whose_ends_are_too_far_apart_is_refused),
         cmocka_unit_test(decay_out_of_range_is_refused),
+        cmocka_unit_test(decay_without_an_interval_is_refused),
+        cmocka_unit_test(core_pixels_out_of_range_are_refused),
+        cmocka_unit_test(exposure_out_of_range_is_refused),
         cmocka_unit_test(numbers_of_divisions_that_simpson_cannot_take_are_refused),
         cmocka_unit_test(values_outside_an_enumeration_are_refused),
         cmocka_unit_test(a_viewport_without_pixels_is_refused),

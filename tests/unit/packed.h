@@ -11,8 +11,9 @@ static inline const void *packed_block(const ew_sources *sources, const char *li
 {
     const char *block = sources->data;
     for (int kind = 0; kind < EW_KIND_COUNT; ++kind) {
-        if (strcmp(ew_kinds[kind]->list_name, list) == 0) return block + index * ew_kinds[kind]->block_size;
-        block += sources->counts[kind] * ew_kinds[kind]->block_size;
+        size_t size = ew_kind_units(ew_kinds[kind], sources->has_glow) * sizeof(ew_vec4);
+        if (strcmp(ew_kinds[kind]->list_name, list) == 0) return block + index * size;
+        block += sources->counts[kind] * size;
     }
     return NULL;
 }
@@ -37,11 +38,15 @@ static inline const struct ew_curve_block *packed_curve(const ew_sources *source
     return packed_block(sources, "curves", index);
 }
 
+static inline const struct ew_path_block *packed_path(const ew_sources *sources, size_t index)
+{
+    return packed_block(sources, "paths", index);
+}
+
 /* The pieces of weights, which lie behind all blocks. */
 static inline const struct ew_weight_block *packed_weights(const ew_sources *sources)
 {
-    const char *end = (const char *)sources->data + sources->data_size;
-    return (const void *)(end - sources->weight_piece_count * sizeof(struct ew_weight_block));
+    return (const void *)((const ew_vec4 *)sources->data + sources->weight_units);
 }
 
 #endif

@@ -420,7 +420,7 @@ static void sources_beyond_what_the_shader_resolves_are_refused(void **state)
     ew_line line = {.position = {0, 1e300, 0}, .direction = {0, 0, 1}, .coefficient = 1};
     ew_torus torus = {.axis = {0, 1, 0}, .radius = 1e300, .coefficient = 1};
     ew_curve curve = {.polynomial = {{0}, {0}, {1e300, 0, 0}}, .domain = {0, 1}, .coefficient = 1};
-    ew_point bright = {.coefficient = 1e300};
+    ew_point bright = {.coefficient = 1e300}, faint = {.coefficient = 1}, thin = {.coefficient = 1, .core = 1e-300};
     const struct {
         ew_sources_desc desc;
         const char *name;
@@ -430,7 +430,8 @@ static void sources_beyond_what_the_shader_resolves_are_refused(void **state)
         {{.tori = &torus, .torus_count = 1, .epsilon = 1e-3}, "tori[0]"},
         {{.curves = &curve, .curve_count = 1, .epsilon = 1e-3}, "curves[0]"},
         {{.points = &bright, .point_count = 1, .epsilon = 1e-3}, "points[0].coefficient"},
-        {{.epsilon = 1e-300}, "epsilon"},
+        {{.points = &faint, .point_count = 1, .epsilon = 1e-300}, "epsilon"},
+        {{.points = &thin, .point_count = 1}, "points[0]"},
     };
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; ++i) {
         size_t capacity = ew_sources_capacity(65536);

@@ -29,6 +29,7 @@ static void the_output_decides_the_blending(void **state)
         ew_blend blend;
     } cases[] = {{EW_OUTPUT_LERP, EW_BLEND_OVER},
                  {EW_OUTPUT_ADD, EW_BLEND_ADD},
+                 {EW_OUTPUT_SOFT, EW_BLEND_SOFT},
                  {EW_OUTPUT_LUMINANCE, EW_BLEND_REPLACE},
                  {EW_OUTPUT_EVALUATIONS, EW_BLEND_REPLACE}};
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; ++i) {

@@ -140,6 +140,8 @@ static void each_curve_finds_its_own_pieces(void **state)
 
     ew_frame_desc frame = EW_FRAME_DEFAULTS;
     frame.viewport_width = frame.viewport_height = 16;
+    frame.interval_start = 1;
+    frame.interval_end = 2;
     ew_plan plan;
     assert_int_equal(ew_plan_frame(&plan, &sources, NULL, &frame, NULL), EW_OK);
     const size_t piece_counts[4] = {3, 0, 2, 1};
