@@ -42,7 +42,7 @@ float ew_others(vec4 sum, vec4 color)
 // Sources that the ray misses are passed over in a loop of their own: where a group of pixels has few, a software rasteriser goes
 // through the expensive body as often as the pixel of the group that has most. A pixel that has left that loop while others of its
 // group have not may see its values computed once more (llvmpipe does so); so the search stays where it is once it has found one.
-#define EW_CHORD(source) source.glow.y > 0.0 ? ew_chord(segment, source) : whole
+#define EW_CHORD(source) source.glow.y > 0.0 ? min(ew_chord(segment, source), max(ew_last_lit(source.glow), 0.0)) : whole
 #define EW_TRY(block, read) block tried = read(i); chord = EW_CHORD(tried); hit = hit || chord.x < chord.y; i += hit ? 0 : 1;
 #define EW_FIND(block, read, count) bool hit = false; do { EW_TRY(block, read) } while (!hit && i < count);
 #define EW_ADD_HIT(block, read) block source = read(i); chord = EW_CHORD(source); EW_ADD_SOURCE(source); ++i;

@@ -107,6 +107,57 @@ ew_planes ew_find_planes(ew_slab slab, vec2 chord)
 const vec4 EW_PATH_NODES = vec4(0.06943184, 0.33000948, 0.66999052, 0.93056816);
 const vec4 EW_PATH_NODE_WEIGHTS = vec4(0.17392742, 0.32607258, 0.32607258, 0.17392742);
 
+#ifndef EW_WORLD
+// More panels than any part takes: they grow by factors.
+const int EW_MAX_PATH_PANELS = 64;
+
+// The same with the decay, by Gauss's rule in panels that grow from the line's peak outwards, and no faster than the depth: none is
+// longer than its distance from what is singular. Relative error 1e-4.
+float ew_integrate_weighted_part(ew_segment segment, ew_slab slab, vec2 part, vec3 weight_by_t, vec4 glow)
+{
+    vec3 to_line = slab.start - segment.origin;
+    to_line -= dot(to_line, slab.axis) * slab.axis;
+    vec3 across = segment.direction - slab.growth * slab.axis;
+    float k = max(ew_length_squared(across), 1e-12 * ew_length_squared(segment.direction));
+    float s0 = dot(to_line, across) / k;
+    float b2 = ew_length_squared(to_line - s0 * across);
+#ifdef EW_REACH
+    if (glow.y > 0.0) {
+        vec2 chord = ew_chord_of(b2, k, s0, glow.y, segment.end);
+        part = vec2(clamp(part.x, chord.x, chord.y), clamp(part.y, chord.x, chord.y));
+    }
+#endif
+    float scale = (slab.t.y - slab.t.x) / max(slab.size, 1e-30);
+    float core2 = ew_core2(glow, clamp(s0, part.x, part.y));
+    float half_core = sqrt(max(core2 - b2, 0.0) / k);
+    float half_peak = sqrt(max(b2, core2) / k);
+    float center = clamp(s0, part.x, part.y);
+    float sum = 0.0;
+    float side = -1.0;
+    float from = center;
+    int panel = 0;
+    do {
+        float stop = side < 0.0 ? part.x : part.y;
+        float away = abs(from - s0);
+        float size = away < half_core ? half_core - away : max(away, half_peak);
+        size = min(size, 0.5 * (from + ew_beta()));
+        float to = side < 0.0 ? max(from - size, stop) : min(from + size, stop);
+        vec4 s = from + (to - from) * EW_PATH_NODES;
+        vec4 t = slab.t.x + scale * (slab.along + s * slab.growth);
+        vec4 weight = weight_by_t.x + t * (weight_by_t.y + t * weight_by_t.z);
+        vec4 squared = b2 + k * (s - s0) * (s - s0);
+        squared = max(squared, vec4(ew_core2(glow, s.x), ew_core2(glow, s.y), ew_core2(glow, s.z), ew_core2(glow, s.w)));
+        vec4 depth = s + ew_beta();
+        vec4 value = weight * (inversesqrt(squared) - ew_inverse_reach(glow)) / (depth * depth);
+        sum += abs(to - from) * dot(EW_PATH_NODE_WEIGHTS, value);
+        bool is_side_done = to == stop;
+        from = is_side_done ? center : to;
+        side = is_side_done ? side + 2.0 : side;
+    } while (side < 2.0 && ++panel < EW_MAX_PATH_PANELS);
+    ew_evaluation_count += 4;
+    return sum;
+}
+#else
 // The integral over [from, to], outside of the core, of (polynomial in y = s - s0) / sqrt(b2 + k y^2): closed forms.
 float ew_integrate_weighted_side(float b2, float k, float s0, float from, float to, vec3 polynomial)
 {
@@ -135,8 +186,20 @@ float ew_integrate_weighted_part(ew_segment segment, ew_slab slab, vec2 part, ve
         part = vec2(clamp(part.x, chord.x, chord.y), clamp(part.y, chord.x, chord.y));
     }
 #endif
-    // The weight by y = s - s0: f = base + slope y is the place in the weight's piece.
     float scale = (slab.t.y - slab.t.x) / max(slab.size, 1e-30);
+    // Far from the peak, compared with the part's length, all is smooth; and so it is if the peak is much longer than the part, where
+    // the moments below would be small differences.
+    float half_part = 0.5 * (part.y - part.x);
+    bool is_far = abs(0.5 * (part.x + part.y) - s0) > 5.0 * half_part;
+    if (is_far || k * half_part * half_part < 0.1 * max(b2, ew_core2(glow, part.x))) {
+        vec4 place = part.x + 2.0 * half_part * EW_PATH_NODES;
+        vec4 t = slab.t.x + scale * (slab.along + place * slab.growth);
+        vec4 value = weight_by_t.x + t * (weight_by_t.y + t * weight_by_t.z);
+        vec4 squared = b2 + k * (place - s0) * (place - s0);
+        squared = max(squared, vec4(ew_core2(glow, place.x), ew_core2(glow, place.y), ew_core2(glow, place.z), ew_core2(glow, place.w)));
+        return 2.0 * half_part * dot(EW_PATH_NODE_WEIGHTS, value * (inversesqrt(squared) - ew_inverse_reach(glow)));
+    }
+    // The weight by y = s - s0: f = base + slope y is the place in the weight's piece.
     float base = slab.t.x + scale * (slab.along + s0 * slab.growth);
     float slope = scale * slab.growth;
     vec3 polynomial = vec3(weight_by_t.x + base * (weight_by_t.y + base * weight_by_t.z),
@@ -159,6 +222,7 @@ float ew_integrate_weighted_part(ew_segment segment, ew_slab slab, vec2 part, ve
     ew_evaluation_count += 1;
     return sum;
 }
+#endif
 
 // The most knots of the weights that lie on one straight piece, and one.
 const int EW_MAX_PIECE_KNOTS = 1024;

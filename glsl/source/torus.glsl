@@ -63,15 +63,18 @@ float ew_integrate(ew_segment segment, ew_torus_block torus, vec2 chord, float o
 
     float distance2_at_cut = ew_square(sqrt(ray.from_axis2) - radius) + ray.height * ray.height;
 #ifdef EW_CORE_PIXELS
-    // The core's radius where the ray is nearest to the torus: over the core it changes by next to nothing.
-    float epsilon = sqrt(ew_core2(torus.glow, ray.center + ew_nearest_to_torus(far) - ew_nearest_to_torus(near)));
+    // The core's radius where each side is nearest to the torus: over the core it changes by next to nothing.
+    float far_epsilon = sqrt(ew_core2(torus.glow, ray.center + ew_nearest_to_torus(far)));
+    float near_epsilon = sqrt(ew_core2(torus.glow, ray.center - ew_nearest_to_torus(near)));
 #else
-    float epsilon = torus.glow.x;
+    float far_epsilon = torus.glow.x;
+    float near_epsilon = torus.glow.x;
 #endif
-    float edge_guess = ew_guess_torus_edge(ray, zeros, radius, epsilon);
-    vec2 far_core = ew_torus_core(far, distance2_at_cut, edge_guess, ew_square(epsilon));
-    vec2 near_core = ew_torus_core(near, distance2_at_cut, edge_guess, ew_square(epsilon));
-    float cores = ew_integrate_torus_core(far, far_core, epsilon) + ew_integrate_torus_core(near, near_core, epsilon);
+    float far_guess = ew_guess_torus_edge(ray, zeros, radius, far_epsilon);
+    float near_guess = ew_guess_torus_edge(ray, zeros, radius, near_epsilon);
+    vec2 far_core = ew_torus_core(far, distance2_at_cut, far_guess, ew_square(far_epsilon));
+    vec2 near_core = ew_torus_core(near, distance2_at_cut, near_guess, ew_square(near_epsilon));
+    float cores = ew_integrate_torus_core(far, far_core, far_epsilon) + ew_integrate_torus_core(near, near_core, near_epsilon);
     float sum = cores + ew_integrate_torus_panels(near, near_core, far, far_core) / ray.direction2;
 #ifdef EW_REACH
     float measure = ew_measure(ray.center + far.begin, ray.center + far.end) +

@@ -52,7 +52,8 @@ typedef struct ew_packing {
 /* Brings the sources to ray space and fills `data`. */
 ew_result ew_sources_pack(ew_sources *sources, const ew_packing *packing, ew_error *error);
 
-/* Calls `take` with a ball around all that each source can light: HUGE_VAL is the radius of what has no end. */
-void ew_sources_for_each_lit_ball(const ew_sources *sources, void (*take)(void *user, const ew_ball *ball), void *user);
+/* Calls `take` with a ball around all that each source can light, and its reach: HUGE_VAL is the radius of what has no end. */
+void ew_sources_for_each_lit_ball(const ew_sources *sources, void (*take)(void *user, const ew_ball *ball, double reach),
+                                  void *user);
 
 #endif
