@@ -88,39 +88,6 @@ static void write(scene_maker *maker, bool first, bool weighted)
 
 /* ---- Hostile input ------------------------------------------------------------------------------------------------------ */
 
-static void make(const random_place *at, void *source, double *weights, double (*points)[3])
-{
-    ew_path *path = source;
-    path->kind = (ew_path_kind)random_index(at->random, 4);
-    path->is_closed = path->kind != EW_PATH_BEZIER && random_chance(at->random, 0.3);
-    path->point_count = path->kind == EW_PATH_BEZIER ? random_chance(at->random, 0.5) ? 4 : 7
-                                                     : 3 + random_index(at->random, MAX_RANDOM_POINTS - 2);
-    for (size_t i = 0; i < path->point_count; i++) {
-        random_position(at, points[i]);
-        if (at->extreme && i > 0 && random_chance(at->random, 0.2)) vector_copy(points[i - 1], points[i]);
-        if (at->extreme && i > 1 && random_chance(at->random, 0.1)) vector_copy(points[i - 2], points[i]);
-    }
-    path->points = (const double(*)[3])points;
-    /* Of thin cores, a path may need more pieces than the library takes. */
-    if (!at->extreme) path->core = 0.1 * (at->end - at->start);
-    random_light(at, &path->coefficient, path->color);
-    path->weights = weights;
-    if (weights) path->weight_count = random_weights(at, weights);
-}
-
-static size_t numbers(void *source, number_run runs[MAX_SOURCE_RUNS])
-{
-    ew_path *path = source;
-    size_t count = 0;
-    /* The library's points and weights are constants; these are the caller's. */
-    runs[count++] = (number_run){(double *)path->points, 3 * path->point_count};
-    runs[count++] = (number_run){(double *)path->weights, path->weight_count};
-    runs[count++] = (number_run){&path->coefficient, sizeof(source_light) / sizeof(double)};
-    return count;
-}
-
-/* ---- Hostile input ------------------------------------------------------------------------------------------------------ */
-
 /* Brings points to where a path degenerates: on one another, back to where it was, straight on, or nearly so. */
 static void degenerate(uint64_t *random, double points[][3], size_t count)
 {
@@ -145,10 +112,10 @@ static void make_weights(const random_place *at, ew_path *path, double *weights)
                                  : random_unit(at->random);
 }
 
-static void make(const random_place *at, void *source, double *weights)
+static void make(const random_place *at, void *source, double *weights, double (*points)[3])
 {
     ew_path *path = source;
-    double(*points)[3] = (double(*)[3])path->points; /* the caller's */
+    path->points = (const double(*)[3])points;
     path->kind = (ew_path_kind)random_index(at->random, 4);
     path->is_closed = path->kind != EW_PATH_BEZIER && random_chance(at->random, 0.3);
     path->point_count = 3 + random_index(at->random, MAX_RANDOM_POINTS - 2);
@@ -157,6 +124,8 @@ static void make(const random_place *at, void *source, double *weights)
     for (size_t k = 0; k < path->point_count; k++)
         random_position(at, points[k]);
     if (at->extreme) degenerate(at->random, points, path->point_count);
+    /* Of thin cores, a path may need more pieces than the library takes. */
+    if (!at->extreme) path->core = 0.1 * (at->end - at->start);
     random_light(at, &path->coefficient, path->color);
     if (weights) make_weights(at, path, weights);
 }
