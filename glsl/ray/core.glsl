@@ -1,7 +1,7 @@
 // Cores, in which the field is constant, and reaches, at which it ends. `glow` is a source's: see layout.glsl.
 
 // The view depth at s is x + s y, in units of ray space.
-vec2 ew_view_depth;
+vec2 ew_view_depth = vec2(0.0);
 
 #ifdef EW_CORE_PIXELS
 // The squared radius that a core has at the eye.
