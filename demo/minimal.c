@@ -63,9 +63,10 @@ int main(void)
 
     ew_effect *effect;
     ew_error error;
-    ew_torus ring = {.axis = {0.3, 1, 0}, .radius = 2.5, .coefficient = 0.2, .color = {0.3, 0.8, 2}};
-    ew_point orb = {.coefficient = 0.2, .color = {2, 0.8, 0.3}};
-    ew_sources_desc sources = {.tori = &ring, .torus_count = 1, .points = &orb, .point_count = 1, .epsilon = 0.01};
+    ew_torus ring = {.axis = {0.3, 1, 0}, .radius = 2.5, .core = 0.03, .reach = 0.8, .brightness = 2, .color = {0.1, 0.4, 1}};
+    ew_point orb = {.core = 0.2, .reach = 1.5, .brightness = 2, .color = {1, 0.4, 0.1}};
+    ring.sharpness = orb.sharpness = 2;
+    ew_sources_desc sources = {.tori = &ring, .torus_count = 1, .points = &orb, .point_count = 1};
     check(ew_create_effect(&(ew_effect_desc){.get_proc_address = get_proc_address}, &effect, &error) == EW_OK, error.text);
     while (!glfwWindowShouldClose(window) && glfwGetKey(window, GLFW_KEY_ESCAPE) != GLFW_PRESS) {
         ew_frame_desc frame = EW_FRAME_DEFAULTS;
@@ -84,8 +85,7 @@ int main(void)
         glUniformMatrix4fv(glGetUniformLocation(program, "camera"), 2, GL_FALSE, camera[0]);
         glDrawArraysInstanced(GL_TRIANGLES, 0, 36, 5);
         orb.position[1] = sin(2 * angle);
-        frame.interval_start = 4; /* the light lies between these view depths */
-        frame.interval_end = 12;
+        frame.output = EW_OUTPUT_SOFT;
         frame.depth_source = EW_DEPTH_FRAMEBUFFER;
         frame.encoding = EW_ENCODING_SRGB_8BIT;
         frame.dither = 1;

@@ -91,7 +91,7 @@ extern "C" {
 #define EW_MAX_LINES (EW_MAX_SOURCE_UNITS / 3)
 #define EW_MAX_TORI (EW_MAX_SOURCE_UNITS / 3)
 #define EW_MAX_CURVES (EW_MAX_SOURCE_UNITS / 6)
-#define EW_MAX_PATHS (EW_MAX_SOURCE_UNITS / 4)
+#define EW_MAX_PATHS (EW_MAX_SOURCE_UNITS / 5)
 /* The largest count of weights of one curve. */
 #define EW_MAX_WEIGHTS 1024
 
@@ -221,7 +221,7 @@ typedef enum ew_path_kind {
  * is_closed:   1: the path goes on from its last point to its first. 0: it does not.
  * weights:     as for curves, over the whole path. Each span between control points has an equal share of the parameter.
  *
- * A path has at most EW_MAX_PATH_PIECES pieces. Of the effect's capacity it takes 4 units, or 5 with a reach or a core of its
+ * A path has at most EW_MAX_PATH_PIECES pieces. Of the effect's capacity it takes 5 units, or 6 with a reach or a core of its
  * own; for each piece 2, or 5 if any is bent; and, with n weights, n - 2 more. */
 #define EW_MAX_PATH_PIECES 600
 
@@ -502,6 +502,7 @@ typedef struct ew_mix {
     size_t path_count;
     int has_reach;     /* 1: sources that may have a reach or a core of their own; 0: none has. 1 for the world integral */
     int has_sharpness; /* 1: sources with or without sharpness; 0: only without */
+    int has_joints;    /* 1: paths of any number of pieces; 0: straight beams only */
     int has_bends;     /* 1: paths with or without bent pieces; 0: polylines only */
 } ew_mix;
 

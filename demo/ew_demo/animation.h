@@ -1,6 +1,6 @@
 /*
- * The demo's energy as a pure function of time. Two beams charge an orb, which fires a bolt and sends out a shock ring, while a
- * blade circles. The animation repeats every ANIMATION_SECONDS without a seam.
+ * The demo's energy as a pure function of time. Lightning and a stream charge an orb, which fires a beam and sends out a shock
+ * ring; a spiral winds round a pillar, and a blade slashes. The animation repeats every ANIMATION_SECONDS without a seam.
  */
 #ifndef ANIMATION_H
 #define ANIMATION_H
@@ -10,16 +10,19 @@
 
 #define ANIMATION_SECONDS 10.0
 
-enum { ANIMATION_BEAMS = 2, ANIMATION_BOLT = ANIMATION_BEAMS, ANIMATION_BLADE, ANIMATION_CURVES };
-enum { ANIMATION_WEIGHTS = 12 };
+enum { ANIMATION_ORB, ANIMATION_IMPACT, ANIMATION_POINTS };
+enum { ANIMATION_BOLT, ANIMATION_BRANCH, ANIMATION_STREAM, ANIMATION_SPIRAL, ANIMATION_SLASH, ANIMATION_BEAM, ANIMATION_PATHS };
+enum { ANIMATION_PATH_POINTS = 40, ANIMATION_WEIGHTS = 40 };
 
 /* The scene at one moment. It points into this structure, which must therefore not be copied. */
 typedef struct demo_animation {
     demo_scene scene;
-    ew_point orb;
+    bool flies; /* the camera flies from 100 m away into the orb, rather than sway before the court */
+    ew_point points[ANIMATION_POINTS];
     ew_torus ring;
-    ew_curve curves[ANIMATION_CURVES];
-    double weights[ANIMATION_CURVES][ANIMATION_WEIGHTS];
+    ew_path paths[ANIMATION_PATHS];
+    double path_points[ANIMATION_PATHS][ANIMATION_PATH_POINTS][3];
+    double weights[ANIMATION_PATHS][ANIMATION_WEIGHTS];
     opaque_shape shapes[COURT_MAX_SHAPES];
 } demo_animation;
 

@@ -13,8 +13,14 @@
 /* Where the orb hovers. */
 extern const double court_orb[3];
 
-/* Where the beams come from. */
+/* Where the energy that charges it comes from. */
 extern const double court_emitters[2][3];
+
+/* What the orb fires at: a place on a pillar. */
+extern const double court_target[3];
+
+/* The foot of the pillar round which a spiral winds. */
+extern const double court_spiral_base[3];
 
 enum { COURT_MAX_SHAPES = 64 };
 

@@ -1,13 +1,12 @@
 /* A scene as it is displayed: see display.h. */
 #include "display.h"
-#include "film.h"
 #include "gpu_timer.h"
-#include "light_meter.h"
 #include "lit_opaque.h"
 #include "map.h"
 #include "message.h"
 #include "opaque.h"
 #include "reflection.h"
+#include "resolve.h"
 #include "texture.h"
 
 #include <stdlib.h>
@@ -16,15 +15,16 @@ struct demo_display {
     const gl_functions *gl;
     ew_effect *effect;
     lit_opaque *court;
-    demo_film film;
     floor_reflection reflection;
-    light_meter meter;
+    resolve_pass resolve;
 
     int width; /* of the picture; 0 while there are no targets */
     int height;
     int samples_per_axis;
-    GLuint opaque, depth, energy, measured, picture;
-    GLuint opaque_framebuffer, energy_framebuffer, measured_framebuffer, picture_framebuffer;
+    GLuint color, depth, measured, picture;
+    GLuint opaque_framebuffer; /* colour and depth */
+    GLuint effect_framebuffer; /* colour */
+    GLuint measured_framebuffer, picture_framebuffer;
 
     gpu_timer timers[2];
     display_statistics statistics[2];
@@ -32,11 +32,11 @@ struct demo_display {
 
 static void delete_targets(demo_display *display)
 {
-    const GLuint textures[] = {display->opaque, display->depth, display->energy, display->measured, display->picture};
-    const GLuint framebuffers[] = {display->opaque_framebuffer, display->energy_framebuffer, display->measured_framebuffer,
+    const GLuint textures[] = {display->color, display->depth, display->measured, display->picture};
+    const GLuint framebuffers[] = {display->opaque_framebuffer, display->effect_framebuffer, display->measured_framebuffer,
                                    display->picture_framebuffer};
     display->gl->DeleteFramebuffers(4, framebuffers);
-    display->gl->DeleteTextures(5, textures);
+    display->gl->DeleteTextures(4, textures);
     display->width = 0;
 }
 
@@ -54,13 +54,12 @@ static bool make_targets(demo_display *display, const display_view *view, char *
         return false;
     }
     bool complete = true;
-    display->opaque = texture_create(gl, width * samples, height * samples, GL_RGBA16F, GL_RGBA);
+    display->color = texture_create(gl, width * samples, height * samples, GL_RGBA16F, GL_RGBA);
     display->depth = texture_create(gl, width * samples, height * samples, GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT);
-    display->energy = texture_create(gl, width * samples, height * samples, GL_RGBA16F, GL_RGBA);
     display->measured = texture_create(gl, width * samples, height * samples, GL_R32F, GL_RED);
     display->picture = texture_create(gl, width, height, GL_RGBA8, GL_RGBA);
-    display->opaque_framebuffer = texture_framebuffer(gl, display->opaque, display->depth, &complete);
-    display->energy_framebuffer = texture_framebuffer(gl, display->energy, 0, &complete);
+    display->opaque_framebuffer = texture_framebuffer(gl, display->color, display->depth, &complete);
+    display->effect_framebuffer = texture_framebuffer(gl, display->color, 0, &complete);
     display->measured_framebuffer = texture_framebuffer(gl, display->measured, 0, &complete);
     display->picture_framebuffer = texture_framebuffer(gl, display->picture, 0, &complete);
     display->width = width;
@@ -85,26 +84,25 @@ demo_display *display_create(const gl_functions *gl, const ew_effect_desc *desc,
     display->gl = gl;
     for (int half = 0; half < 2; half++)
         gpu_timer_create(gl, &display->timers[half]);
-    if (light_meter_create(gl, &display->meter, message, size) && film_create(gl, &display->film, message, size))
-        return display;
+    if (resolve_create(gl, &display->resolve, message, size)) return display;
     display_destroy(display);
     return NULL;
 }
 
 /* Draws the court, and what its floor reflects. */
-static ew_result draw_court(demo_display *display, const display_view *view, double sensitivity, ew_error *error)
+static ew_result draw_court(demo_display *display, const display_view *view, ew_error *error)
 {
     render_settings settings = view->settings;
     settings.width *= view->samples_per_axis;
     settings.height *= view->samples_per_axis;
-    ew_result result = reflection_draw(display->gl, &display->reflection, display->effect, display->court, &display->film,
-                                       view->scene, &settings, sensitivity, error);
+    ew_result result =
+        reflection_draw(display->gl, &display->reflection, display->effect, display->court, view->scene, &settings, error);
     if (result) return result;
     display->gl->BindFramebuffer(GL_FRAMEBUFFER, display->opaque_framebuffer);
     lit_opaque_draw(display->court, &(lit_opaque_view){.scene = view->scene,
                                                        .width = settings.width,
                                                        .height = settings.height,
-                                                       .reflection = display->reflection.picture});
+                                                       .reflection = display->reflection.color});
     display->gl->BindFramebuffer(GL_FRAMEBUFFER, 0);
     return EW_OK;
 }
@@ -148,9 +146,8 @@ static ew_result draw_energy(demo_display *display, const display_view *view, ew
 {
     const gl_functions *gl = display->gl;
     ew_result result = EW_OK;
-    texture_clear(gl, display->energy_framebuffer);
     for (int half = 0; !result && half < (view->split ? 2 : 1); half++) {
-        ew_frame_desc frame = half_frame(display, view, half, display->energy_framebuffer);
+        ew_frame_desc frame = half_frame(display, view, half, display->effect_framebuffer);
         gpu_timer_begin(gl, &display->timers[half]);
         result = ew_draw(display->effect, &frame, error);
         gpu_timer_end(gl, &display->timers[half]);
@@ -184,25 +181,13 @@ static ew_result count_evaluations(demo_display *display, const display_view *vi
 /* The opaque scene comes first, because everything else needs its depth. */
 static ew_result draw_all(demo_display *display, const display_view *view, ew_error *error)
 {
-    double sensitivity = 1;
-    ew_result result = EW_OK;
-    if (view->court_look) {
-        result =
-            light_meter_read(display->gl, &display->meter, display->effect, view->scene, &view->settings, &sensitivity, error);
-        if (!result) result = draw_court(display, view, sensitivity, error);
-    }
+    ew_result result = view->court_look ? draw_court(display, view, error) : EW_OK;
     if (result) return result;
     if (view->mode != DISPLAY_PICTURE) return draw_maps(display, view, error);
     result = draw_energy(display, view, error);
     if (!result && view->count_evaluations) result = count_evaluations(display, view, error);
-    film_exposure exposure = {.opaque = display->opaque,
-                              .energy = display->energy,
-                              .soft = view->scene->composite == EW_OUTPUT_SOFT,
-                              .samples_per_axis = display->samples_per_axis,
-                              .graded = view->court_look,
-                              .sensitivity = sensitivity,
-                              .encoded = true};
-    film_develop(display->gl, &display->film, &exposure, display->picture_framebuffer, display->width, display->height);
+    resolve_input input = {.color = display->color, .samples_per_axis = display->samples_per_axis, .dithers = view->court_look};
+    resolve_draw(display->gl, &display->resolve, &input, display->picture_framebuffer, display->width, display->height);
     return result;
 }
 
@@ -264,9 +249,8 @@ void display_destroy(demo_display *display)
     if (display->width) delete_targets(display);
     for (int half = 0; half < 2; half++)
         gpu_timer_destroy(display->gl, &display->timers[half]);
-    light_meter_destroy(display->gl, &display->meter);
     lit_opaque_destroy(display->court);
-    film_destroy(display->gl, &display->film);
+    resolve_destroy(display->gl, &display->resolve);
     reflection_destroy(display->gl, &display->reflection);
     ew_destroy_effect(display->effect);
     free(display);

@@ -24,8 +24,8 @@ typedef enum display_mode {
 typedef struct display_view {
     const demo_scene *scene;
     display_mode mode;
-    /* The court's look: stone lit by the energy, and graded film. The shapes of such a scene are taken from the first one
-     * drawn. Without it, the picture is ew-render's. */
+    /* The court's look: stone lit by the energy. The shapes of such a scene are taken from the first one drawn. Without it, the
+     * picture is ew-render's. The energy is drawn alike in both. */
     bool court_look;
     render_settings settings; /* the picture's size, and how to integrate */
     int samples_per_axis;     /* a pixel has the square of this many samples, which smooth the edges of shapes */

@@ -2,10 +2,13 @@
 #include "energy_lights.h"
 #include "vector.h"
 
-enum { LIGHTS_OF_A_TORUS = 12, LIGHTS_OF_A_CURVE = 8 };
+enum { LIGHTS_OF_A_TORUS = 12, LIGHTS_OF_A_PATH = 8 };
 
 /* Light per metre of a source and unit of its coefficient. */
-static const double brightness = 0.2;
+static const double gain = 1.6;
+
+/* A point sheds as much light as so many radii of its core, seen as a line. */
+static const double point_length = 6;
 
 typedef struct light_list {
     energy_light *lights;
@@ -19,18 +22,27 @@ static void add(light_list *list, const double position[3], double radius, doubl
     vector_copy(position, light->position);
     light->radius = fmax(radius, 0.2);
     for (int i = 0; i < 3; i++)
-        light->color[i] = brightness * intensity * color[i];
+        light->color[i] = gain * intensity * color[i];
+}
+
+/* The coefficient that a brightness stands for: see energywave.h. */
+static double coefficient_of(double brightness, double core, double reach)
+{
+    return brightness / (2 * log(reach / core));
 }
 
 static void add_points(light_list *list, const ew_sources_desc *sources)
 {
-    for (size_t i = 0; i < sources->point_count; i++)
-        add(list, sources->points[i].position, 0.5, 2 * sources->points[i].coefficient, sources->points[i].color);
+    for (size_t i = 0; i < sources->point_count; i++) {
+        const ew_point *point = &sources->points[i];
+        double coefficient = coefficient_of(point->brightness, point->core, point->reach);
+        add(list, point->position, 0.5, coefficient * point_length * point->core, point->color);
+    }
 }
 
 static void add_torus(light_list *list, const ew_torus *torus)
 {
-    double axis[3], u[3], v[3];
+    double axis[3], u[3], v[3], coefficient = coefficient_of(torus->brightness, torus->core, torus->reach);
     vector_normalize(torus->axis, axis);
     vector_across(axis, u, v);
     double length = 2 * M_PI * torus->radius / LIGHTS_OF_A_TORUS;
@@ -38,7 +50,7 @@ static void add_torus(light_list *list, const ew_torus *torus)
         double angle = 2 * M_PI * i / LIGHTS_OF_A_TORUS, position[3];
         vector_add_scaled(torus->center, torus->radius * cos(angle), u, position);
         vector_add_scaled(position, torus->radius * sin(angle), v, position);
-        add(list, position, length / 2, torus->coefficient * length, torus->color);
+        add(list, position, length / 2, coefficient * length, torus->color);
     }
 }
 
@@ -48,45 +60,47 @@ static void add_tori(light_list *list, const ew_sources_desc *sources)
         add_torus(list, &sources->tori[i]);
 }
 
-/* The weight at `u` of the way along the curve: linear between the weights, which is close enough to their spline. */
-static double weight_at(const ew_curve *curve, double u)
+/* The weight at `u` of the way along the path: linear between the weights, which is close enough to their spline. */
+static double weight_at(const ew_path *path, double u)
 {
-    if (curve->weight_count == 0) return 1;
-    double at = u * (double)(curve->weight_count - 1);
+    if (path->weight_count == 0) return 1;
+    double at = u * (double)(path->weight_count - 1);
     size_t i = (size_t)at;
-    if (i + 1 >= curve->weight_count) return curve->weights[curve->weight_count - 1];
-    return curve->weights[i] + (at - (double)i) * (curve->weights[i + 1] - curve->weights[i]);
+    if (i + 1 >= path->weight_count) return path->weights[path->weight_count - 1];
+    return path->weights[i] + (at - (double)i) * (path->weights[i + 1] - path->weights[i]);
 }
 
-static void curve_at(const ew_curve *curve, double t, double result[3])
+/* The place at `u` of the way along the path's points. Whatever its kind, the path itself is not far away. */
+static void place_at(const ew_path *path, double u, double result[3])
 {
-    for (int i = 0; i < 3; i++)
-        result[i] = (curve->polynomial[2][i] * t + curve->polynomial[1][i]) * t + curve->polynomial[0][i];
+    double at = u * (double)(path->point_count - 1), way[3];
+    size_t i = (size_t)at < path->point_count - 1 ? (size_t)at : path->point_count - 2;
+    vector_subtract(path->points[i + 1], path->points[i], way);
+    vector_add_scaled(path->points[i], at - (double)i, way, result);
 }
 
-static void add_curve(light_list *list, const ew_curve *curve)
+static void add_path(light_list *list, const ew_path *path)
 {
-    double domain = curve->domain[1] - curve->domain[0];
-    for (int i = 0; i < LIGHTS_OF_A_CURVE; i++) {
-        double start[3], middle[3], end[3], step[3];
-        double t = curve->domain[0] + domain * (i + 0.5) / LIGHTS_OF_A_CURVE;
-        curve_at(curve, t - domain * 0.5 / LIGHTS_OF_A_CURVE, start);
-        curve_at(curve, t, middle);
-        curve_at(curve, t + domain * 0.5 / LIGHTS_OF_A_CURVE, end);
+    double coefficient = coefficient_of(path->brightness, path->core, path->reach);
+    for (int i = 0; i < LIGHTS_OF_A_PATH; i++) {
+        double u = (i + 0.5) / LIGHTS_OF_A_PATH, start[3], middle[3], end[3], step[3];
+        place_at(path, (double)i / LIGHTS_OF_A_PATH, start);
+        place_at(path, u, middle);
+        place_at(path, (i + 1.0) / LIGHTS_OF_A_PATH, end);
         vector_subtract(end, start, step);
-        double length = vector_length(step), weight = weight_at(curve, (i + 0.5) / LIGHTS_OF_A_CURVE);
-        add(list, middle, length / 2, curve->coefficient * weight * length, curve->color);
+        double length = vector_length(step);
+        add(list, middle, length / 2, coefficient * weight_at(path, u) * length, path->color);
     }
 }
 
-static void add_curves(light_list *list, const ew_sources_desc *sources)
+static void add_paths(light_list *list, const ew_sources_desc *sources)
 {
-    for (size_t i = 0; i < sources->curve_count; i++)
-        add_curve(list, &sources->curves[i]);
+    for (size_t i = 0; i < sources->path_count; i++)
+        add_path(list, &sources->paths[i]);
 }
 
 /* One function for each kind of source that the court has. */
-static void (*const add_kind[])(light_list *list, const ew_sources_desc *sources) = {add_points, add_tori, add_curves};
+static void (*const add_kind[])(light_list *list, const ew_sources_desc *sources) = {add_points, add_tori, add_paths};
 
 size_t energy_make_lights(const ew_sources_desc *sources, energy_light lights[ENERGY_MAX_LIGHTS])
 {

@@ -16,7 +16,8 @@ typedef struct energy_light {
     double color[3];
 } energy_light;
 
-/* Puts one light at each point and several along each torus and curve, until `lights` is full. Returns their count. */
+/* Puts one light at each point and several along each torus and path, until `lights` is full. Only sources with a reach and a
+ * brightness count. Returns their count. */
 size_t energy_make_lights(const ew_sources_desc *sources, energy_light lights[ENERGY_MAX_LIGHTS]);
 
 #endif

@@ -73,6 +73,7 @@ static bool draw_on_display(const demo_options *options, demo_display *display, 
     } else if (!options->video || (video = video_open(options->video, options->settings.width, options->settings.height,
                                                       options->frames_per_second, message, size))) {
         animation_init(animation);
+        animation->flies = options->flight;
         const demo_scene *scene = file_scene ? file_scene : &animation->scene;
         ok = draw_frames(options, display, animation, scene, video, srgb, message, size);
     }

@@ -10,8 +10,8 @@
 static const char help[] =
     "Usage: ew-demo [SCENE.json] [option]...\n"
     "       ew-demo [SCENE.json] --offscreen [--frames A-B] [-o NAME] [--video FILE] [option]...\n"
-    "Shows energy waves in a window: a court with beams, an orb, a ring and a blade, or a scene file, which is read\n"
-    "again whenever it is saved; docs/scene-format.md describes it. The window shows its keys.\n"
+    "Shows energy waves in a window: a court with an orb, lightning, a beam, a ring, a spiral and a blade, or a scene file,\n"
+    "which is read again whenever it is saved; docs/scene-format.md describes it. The window shows its keys.\n"
     "\n"
     "      --size WxH          of the window or the pictures, in pixels (default 1280x720)\n"
     "      --integrator NAME   adaptive, or with its largest relative error as in adaptive:1e-2,\n"
@@ -20,6 +20,7 @@ static const char help[] =
     "      --show WHAT         picture (default); evaluations, how often each pixel's ray was evaluated; or error, compared\n"
     "                          with Simpson's rule of 16384 divisions (4096 without an interval), which takes long\n"
     "      --samples N         N x N samples a pixel smooth the edges of shapes, 1 (default) to 4\n"
+    "      --flight            the court's camera flies from 100 m away into the orb in each repetition\n"
     "      --offscreen         write pictures or a video instead, without a window or a display\n"
     "      --frames A-B        frames A to B, or only A; the first is 0 (default 0-299, a whole repetition)\n"
     "      --fps N             frames per second of the animation, 1 to 240 (default 30)\n"
@@ -115,6 +116,7 @@ bool options_read(int argc, char **argv, demo_options *options, char *message, s
         {"split", 0, read_split, options, INTEGRATOR_REMEDY},
         {"show", 0, read_mode, &options->mode, "must be picture, evaluations or error"},
         {"samples", 0, read_samples, &options->samples_per_axis, "must be a number from 1 to 4"},
+        {"flight", 0, NULL, &options->flight, NULL},
         {"offscreen", 0, NULL, &options->offscreen, NULL},
         {"frames", 0, read_frames, options, "must be two frame numbers, the first no larger, as in 0-299, or one"},
         {"fps", 0, read_frame_rate, &options->frames_per_second, "must be a number from 1 to 240"},

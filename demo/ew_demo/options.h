@@ -13,6 +13,7 @@
 
 typedef struct demo_options {
     const char *scene; /* a scene file; NULL for the animation */
+    bool flight;       /* of the animation's camera */
     bool offscreen;
     int first_frame; /* the animation begins with frame 0 */
     int last_frame;  /* included */

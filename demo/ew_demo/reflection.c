@@ -7,26 +7,22 @@ static void make_targets(const gl_functions *gl, floor_reflection *reflection, i
     if (reflection->width == width && reflection->height == height) return;
     reflection_destroy(gl, reflection);
     bool complete = true;
-    reflection->opaque = texture_create(gl, width, height, GL_RGBA16F, GL_RGBA);
+    reflection->color = texture_create(gl, width, height, GL_RGBA16F, GL_RGBA);
     reflection->depth = texture_create(gl, width, height, GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT);
-    reflection->energy = texture_create(gl, width, height, GL_RGBA16F, GL_RGBA);
-    reflection->picture = texture_create(gl, width, height, GL_RGBA16F, GL_RGBA);
-    gl->BindTexture(GL_TEXTURE_2D, reflection->picture);
+    gl->BindTexture(GL_TEXTURE_2D, reflection->color);
     gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
     gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
     gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
     gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
     gl->BindTexture(GL_TEXTURE_2D, 0);
-    reflection->opaque_framebuffer = texture_framebuffer(gl, reflection->opaque, reflection->depth, &complete);
-    reflection->energy_framebuffer = texture_framebuffer(gl, reflection->energy, 0, &complete);
-    reflection->picture_framebuffer = texture_framebuffer(gl, reflection->picture, 0, &complete);
+    reflection->opaque_framebuffer = texture_framebuffer(gl, reflection->color, reflection->depth, &complete);
+    reflection->effect_framebuffer = texture_framebuffer(gl, reflection->color, 0, &complete);
     reflection->width = width;
     reflection->height = height;
 }
 
 ew_result reflection_draw(const gl_functions *gl, floor_reflection *reflection, ew_effect *effect, const lit_opaque *lit,
-                          const demo_film *film, const demo_scene *scene, const render_settings *settings, double sensitivity,
-                          ew_error *error)
+                          const demo_scene *scene, const render_settings *settings, ew_error *error)
 {
     render_settings half = *settings;
     half.width = (settings->width + 1) / 2;
@@ -34,30 +30,21 @@ ew_result reflection_draw(const gl_functions *gl, floor_reflection *reflection, 
     make_targets(gl, reflection, half.width, half.height);
     gl->BindFramebuffer(GL_FRAMEBUFFER, reflection->opaque_framebuffer);
     lit_opaque_draw(lit, &(lit_opaque_view){.scene = scene, .width = half.width, .height = half.height, .is_mirrored = true});
+    gl->BindFramebuffer(GL_FRAMEBUFFER, 0);
 
-    texture_clear(gl, reflection->energy_framebuffer);
-    render_target target = {.depth = reflection->depth, .effect_framebuffer = reflection->energy_framebuffer};
+    render_target target = {.depth = reflection->depth, .effect_framebuffer = reflection->effect_framebuffer};
     ew_frame_desc frame = render_frame(scene, &half, &target);
     /* Mirror the world in the floor, y = 0, before it is viewed. */
     for (int row = 0; row < 4; row++)
         frame.view[4 + row] = -frame.view[4 + row];
-    ew_result result = ew_draw(effect, &frame, error);
-    if (result) return result;
-    film_exposure exposure = {.opaque = reflection->opaque,
-                              .energy = reflection->energy,
-                              .samples_per_axis = 1,
-                              .graded = true,
-                              .sensitivity = sensitivity};
-    film_develop(gl, film, &exposure, reflection->picture_framebuffer, half.width, half.height);
-    return EW_OK;
+    return ew_draw(effect, &frame, error);
 }
 
 void reflection_destroy(const gl_functions *gl, floor_reflection *reflection)
 {
-    const GLuint framebuffers[] = {reflection->opaque_framebuffer, reflection->energy_framebuffer,
-                                   reflection->picture_framebuffer};
-    const GLuint textures[] = {reflection->opaque, reflection->depth, reflection->energy, reflection->picture};
-    gl->DeleteFramebuffers(3, framebuffers);
-    gl->DeleteTextures(4, textures);
+    const GLuint framebuffers[] = {reflection->opaque_framebuffer, reflection->effect_framebuffer};
+    const GLuint textures[] = {reflection->color, reflection->depth};
+    gl->DeleteFramebuffers(2, framebuffers);
+    gl->DeleteTextures(2, textures);
     *reflection = (floor_reflection){0};
 }

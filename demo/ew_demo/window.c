@@ -88,6 +88,7 @@ static bool begin(demo_window *window, char *message, size_t size)
         return false;
     }
     animation_init(window->animation);
+    window->animation->flies = window->options->flight;
     if (!open_window(window, message, size)) return false;
     window->display = display_create(&window->gl, &desc, message, size);
     window->overlay = window->display ? overlay_create(&window->gl, message, size) : NULL;

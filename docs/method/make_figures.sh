@@ -5,7 +5,7 @@ set -eu
 build=$(cd "$1" && pwd)
 cd "$(dirname "$0")"
 
-for figure in substitution rest nearest; do
+for figure in substitution rest nearest profile; do
     gnuplot $figure.gnuplot
 done
 

@@ -64,7 +64,9 @@ struct ew_curve_block {
 // A chain of pieces that shines as one. Its pieces stand behind all blocks and weights.
 struct ew_path_block {
     vec4 ball;    // a ball around the path: its centre, w: its radius
+    vec4 beam;    // of a straight beam, a path of one straight piece: xyz: from the ball's centre to its end
     vec4 pieces;  // x: the first vec4 of the first piece, y: number of pieces, z: 1 if they are ew_bent_block, else 0; w: 1 if closed
+                  // y is 0 for a straight beam: it has no pieces but itself
     vec4 weights; // x: the first weight piece, y: how many there are (0: none), z: the mean of the weights
     vec4 color;
     vec4 glow;

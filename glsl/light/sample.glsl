@@ -18,12 +18,3 @@ float ew_sample(float distance_squared, float s, vec4 glow)
     return field / (distance * ew_square(s + ew_beta()));
 #endif
 }
-
-// Where integrators that sample begin and end: where something may be within reach.
-vec2 ew_sampled_part(ew_segment segment, vec2 chord, vec4 glow)
-{
-#ifdef EW_REACH
-    if (glow.y > 0.0) return chord;
-#endif
-    return vec2(0.0, segment.end);
-}

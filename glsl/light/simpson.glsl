@@ -3,18 +3,13 @@
 // C puts this file into the shader once for each kind, with EW_SOURCE defined as the kind's block.
 
 // The integral over a segment. `others` is for the adaptive integrator: equal divisions have no tolerance.
-float ew_integrate(ew_segment segment, EW_SOURCE source, float others)
+float ew_integrate(ew_segment segment, EW_SOURCE source, vec2 chord, float others)
 {
     int divisions = ew_simpson_divisions();
-#ifdef EW_REACH
-    vec2 part = ew_sampled_part(segment, ew_chord(segment, source), source.glow);
-#else
-    vec2 part = vec2(0.0, segment.end);
-#endif
-    float step_length = (part.y - part.x) / float(divisions);
+    float step_length = (chord.y - chord.x) / float(divisions);
     float sum = 0.0;
     for (int i = 0; i <= divisions; ++i) {
-        float s = part.x + float(i) * step_length;
+        float s = chord.x + float(i) * step_length;
         // 1, 4, 2, 4, ..., 4, 1
         float simpson_weight = i == 0 || i == divisions ? 1.0 : (i & 1) == 1 ? 4.0 : 2.0;
         sum += simpson_weight * ew_sample_at(source, segment.origin + s * segment.direction, s);

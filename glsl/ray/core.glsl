@@ -29,6 +29,18 @@ float ew_core2(vec4 glow, float s)
 }
 #endif
 
+// Where the core is as wide as the reach, nothing is left of the light: the s at which that begins.
+float ew_last_lit(vec4 glow)
+{
+#ifdef EW_CORE_PIXELS
+    float radius2 = glow.y * glow.y - ew_core_radius2(glow);
+    float depth = sqrt(max(radius2, 0.0) / max(ew_frame.core_floor.x, 1e-30));
+    return radius2 > 0.0 ? (depth - ew_view_depth.x) / ew_view_depth.y : -1.0;
+#else
+    return 1e30;
+#endif
+}
+
 // 1 / R; 0 without a reach.
 float ew_inverse_reach(vec4 glow)
 {

@@ -80,29 +80,94 @@ float ew_integrate_reciprocal(float b2, float k, float s0, float from, float to)
 #endif
 
 #ifdef EW_CORE_PIXELS
-// The integral of 1 / max(r', sqrt(b2 + k (s - s0)^2)), with the integral's decay: the core, in which the field depends on its
-// radius alone, and what lies before and behind it. The core's edges are the roots of
+// The core of b2 + k y^2, y = s - s0: where that is less than the squared radius of the core, which grows with depth. Its edges are
+// roots of
 //
-//     (k - g) y^2 - 2 g z y - (r'^2 - b2) = 0,   y = s - s0,
+//     (k - g) y^2 - 2 m y - e = 0,
 //
-// where g is the growth of r'^2 with the square of depth, and z the depth at s0 over its growth. k is less than g only on rays that
-// look along a line within its core; they stay in it. Relative error 1e-6.
-float ew_integrate_floored_reciprocal(float b2, float k, float s0, float from, float to, vec4 glow)
+// where g is the growth of r'^2 with y^2, 2 m that with y, and e what r'^2 has more than b2 at s0. With root = sqrt(m^2 + (k - g) e)
+// they are -e / (m + root) and (m + root) / (k - g), in which nothing cancels. Only a ray that looks along a line has k < g: it stays
+// in the core once it is in it. An empty core is [0, 0].
+vec2 ew_find_core(float b2, float k, float s0, vec4 glow)
 {
     float growth2 = ew_core_growth2();
-    float z = s0 + ew_view_depth.x / ew_view_depth.y;
-    float middle = growth2 * z;
-    float a = max(k - growth2, 1e-6 * k);
-    float root2 = middle * middle + a * (ew_core2(glow, s0) - b2);
-    float root = sqrt(max(root2, 0.0));
-    float core_from = clamp(s0 + (middle - root) / a, from, to);
-    float core_to = clamp(s0 + (middle + root) / a, from, to);
-    if (root2 <= 0.0 || core_from == core_to) core_from = core_to = to;
+    float middle = ew_frame.core_floor.x * ew_view_depth.y * (ew_view_depth.x + s0 * ew_view_depth.y);
+    float excess = ew_core2(glow, s0) - b2;
+    float a = k - growth2;
+    float root2 = middle * middle + a * excess;
+    float reach_of_core = middle + sqrt(max(root2, 0.0));
+    vec2 core = vec2(-excess / max(reach_of_core, 1e-30), a > 0.0 ? reach_of_core / a : 1e15);
+    if (root2 < 0.0) core = a > 0.0 ? vec2(0.0) : vec2(-1e15, 1e15);
+    return core;
+}
+#endif
+
+#ifdef EW_WORLD
+// 2 atanh(x) / x of x2 = x^2 < 0.1. Relative error 1e-7.
+float ew_atanh_series(float x2)
+{
+    return 2.0 + x2 * (0.66666667 + x2 * (0.4 + x2 * (0.28571429 + x2 * (0.22222222 + x2 * 0.18181818))));
+}
+
+// The integral of 1 / sqrt(b2 + k y^2) over y, but for what is between core.x <= 0 and core.y >= 0. Of each side it is
+// 2 atanh(sqrt(k) q) / sqrt(k) with q = length / (sum of the distances at its ends); the sum of both is again of that form, with
+// (q + q') / (1 + k q q'). Where that is no small angle, it is the logarithm of
+//
+//     (d(y_after) + sqrt(k) y_after) / (d(y_before) - sqrt(k) y_before),   y_after = max(y, core.y), y_before = min(y, core.x),
+//
+// at the one end over the other: sums of positive terms.
+float ew_integrate_outside(float b2, float k, vec2 y, vec2 core)
+{
+    float root_k = sqrt(k);
+    vec2 after = max(y, core.yy);
+    vec2 before = min(y, core.xx);
+    vec2 d_after = sqrt(b2 + k * after * after);
+    vec2 d_before = sqrt(b2 + k * before * before);
+    float q_after = (after.y - after.x) / max(d_after.x + d_after.y, 1e-30);
+    float q_before = (before.y - before.x) / max(d_before.x + d_before.y, 1e-30);
+    float q = (q_after + q_before) / (1.0 + k * q_after * q_before);
+    vec2 power = (d_after + root_k * after) / max(d_before - root_k * before, 1e-30);
+    float x2 = k * q * q;
+    return x2 < 0.1 ? q * ew_atanh_series(x2) : 0.69314718 * log2(power.y / power.x) / root_k;
+}
+
+// The integral over s in [from, to] of 1 / max(r', sqrt(b2 + k (s - s0)^2)): the core, and what lies before and behind it. Relative
+// error 1e-6, of what a ray through the core has.
+float ew_integrate_floored_reciprocal(float b2, float k, float s0, float from, float to, vec4 glow)
+{
+    vec2 y = vec2(from, to) - s0;
+#ifdef EW_CORE_PIXELS
+    vec2 core = ew_find_core(b2, k, s0, glow);
+#else
+    float half_core = sqrt(max(glow.x * glow.x - b2, 0.0) / k);
+    vec2 core = vec2(-half_core, half_core);
+#endif
+    float sides = ew_integrate_outside(b2, k, y, core);
+    vec2 inside = clamp(core, y.xx, y.yy);
+#ifdef EW_CORE_PIXELS
+    // In the core the field is 1 / r', a closed form of its own: the integral of a reciprocal distance from the eye.
+    vec2 radius = sqrt(vec2(ew_core2(glow, s0 + inside.x), ew_core2(glow, s0 + inside.y)));
+    float q = (inside.y - inside.x) / (radius.x + radius.y);
+    float x2 = ew_core_growth2() * q * q;
+    float x = sqrt(x2);
+    float logarithm = 0.69314718 * log2((1.0 + x) / max(1.0 - x, 1e-6)) / max(x, 1e-3);
+    return sides + q * (x2 < 0.1 ? ew_atanh_series(x2) : logarithm);
+#else
+    return sides + (inside.y - inside.x) / glow.x;
+#endif
+}
+#elif defined(EW_CORE_PIXELS)
+// The same with the decay 1 / (s + beta)^2. Relative error 1e-6.
+float ew_integrate_floored_reciprocal(float b2, float k, float s0, float from, float to, vec4 glow)
+{
+    vec2 core = clamp(s0 + ew_find_core(b2, k, s0, glow), from, to);
+    if (core.x == core.y) core = vec2(to);
     float sum = 0.0;
-    if (EW_IS_NEEDED(core_from < core_to))
-        sum += ew_integrate_reciprocal(ew_core_radius2(glow), max(growth2, 1e-30), s0 - z, core_from, core_to);
-    if (EW_IS_NEEDED(from < core_from)) sum += ew_integrate_reciprocal(b2, k, s0, from, core_from);
-    if (EW_IS_NEEDED(core_to < to)) sum += ew_integrate_reciprocal(b2, k, s0, core_to, to);
+    if (EW_IS_NEEDED(core.x < core.y))
+        sum += ew_integrate_reciprocal(ew_core_radius2(glow), max(ew_core_growth2(), 1e-30), -ew_view_depth.x / ew_view_depth.y,
+                                       core.x, core.y);
+    if (EW_IS_NEEDED(from < core.x)) sum += ew_integrate_reciprocal(b2, k, s0, from, core.x);
+    if (EW_IS_NEEDED(core.y < to)) sum += ew_integrate_reciprocal(b2, k, s0, core.y, to);
     return sum;
 }
 #else

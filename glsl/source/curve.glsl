@@ -64,7 +64,7 @@ float ew_edge_of_reach(ew_arc arc, float inner, float outer, float inner_excess,
         bool is_outside = value > 0.0;
         square = is_outside ? vec2(square.x, edge) : vec2(edge, square.y);
         excess = is_outside ? vec2(0.5 * excess.x, value) : vec2(value, 0.5 * excess.y);
-    } while (++step < 5);
+    } while (++step < 8);
     return inner + way * sqrt(max(edge, 0.0));
 }
 
@@ -141,11 +141,7 @@ float ew_integrate_arc(ew_arc arc, vec2 chord, float others)
     return sum;
 }
 
-float ew_integrate(ew_segment segment, ew_curve_block curve, float others)
+float ew_integrate(ew_segment segment, ew_curve_block curve, vec2 chord, float others)
 {
-    vec2 chord = vec2(0.0, segment.end);
-#ifdef EW_REACH
-    if (curve.glow.y > 0.0) chord = ew_chord(segment, curve);
-#endif
     return ew_integrate_arc(ew_make_arc(segment, curve), chord, others);
 }

@@ -25,7 +25,7 @@ vec2 ew_chord(ew_segment segment, ew_line_block line)
 // The integral over a segment of 1 / max(epsilon, distance to a line), equation (3). Seen along the line, the line is a point,
 // so the closed form serves. A ray parallel to the line keeps its distance from it: then k is 0 up to rounding, and any s0 will
 // do. Relative error 1e-6.
-float ew_integrate(ew_segment segment, ew_line_block line, float others)
+float ew_integrate(ew_segment segment, ew_line_block line, vec2 chord, float others)
 {
     vec3 axis = line.direction.xyz;
     vec3 to_line = line.position.xyz - segment.origin;
@@ -35,11 +35,6 @@ float ew_integrate(ew_segment segment, ew_line_block line, float others)
     float s0 = dot(to_line, across) / k;
     float b2 = ew_length_squared(to_line - s0 * across);
     ew_evaluation_count += 1;
-#ifdef EW_REACH
-    vec2 part = line.glow.y > 0.0 ? ew_chord_of(b2, k, s0, line.glow.y, segment.end) : vec2(0.0, segment.end);
-#else
-    vec2 part = vec2(0.0, segment.end);
-#endif
-    return ew_integrate_within_reach(b2, k, s0, part, line.glow);
+    return ew_integrate_within_reach(b2, k, s0, chord, line.glow);
 }
 #endif

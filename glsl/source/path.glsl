@@ -32,10 +32,12 @@ float ew_path_weight(ew_path_block path, float t)
     return 1.0;
 }
 
+#ifdef EW_JOINTS
 vec4 ew_piece_unit(ew_path_block path, float units, int i, int unit)
 {
     return ew_source_data[int(path.pieces.x) + i * int(units) + unit];
 }
+#endif
 
 // ---- Straight pieces
 
@@ -51,10 +53,8 @@ struct ew_slab {
     vec2 t;       // the path's parameter at both ends
 };
 
-ew_slab ew_make_slab(ew_segment segment, ew_path_block path, int i)
+ew_slab ew_make_slab(ew_segment segment, vec4 start, vec4 end)
 {
-    vec4 start = ew_piece_unit(path, 2.0, i, 0);
-    vec4 end = ew_piece_unit(path, 2.0, i, 1);
     vec3 way = end.xyz - start.xyz;
     float size = length(way);
     vec3 axis = way / max(size, 1e-30);
@@ -62,13 +62,13 @@ ew_slab ew_make_slab(ew_segment segment, ew_path_block path, int i)
                    vec2(start.w, end.w));
 }
 
-// The s at which the ray comes to the plane at `place` along the piece. A ray parallel to the planes is before or beyond them all
-// along: then it is far behind or far ahead of all, on the side that says so.
+// The s at which the ray comes to the plane at `place` along the piece, in `chord`. A ray parallel to the planes, which does not run
+// along the piece, is before or beyond the plane all the way: it comes to it at the end of the chord, or has come at its start.
 float ew_s_at_plane(ew_slab slab, float place, vec2 chord)
 {
     float way = place - slab.along;
-    return abs(slab.growth) > 1e-20 * abs(way) ? clamp(way / slab.growth, chord.x, chord.y)
-                                               : (way > 0.0 ? chord.y : chord.x);
+    bool is_parallel = abs(slab.growth) <= 1e-20 * abs(way);
+    return is_parallel ? (way > 0.0 ? chord.x : chord.y) : clamp(way / slab.growth, chord.x, chord.y);
 }
 
 // The line's part of a straight piece without weights: what lies between the planes.
@@ -90,49 +90,16 @@ float ew_integrate_slab(ew_segment segment, ew_slab slab, vec2 part, vec4 glow)
     return ew_integrate_within_reach(b2, k, s0, part, glow);
 }
 
-// The parts of the ray before the start and beyond the end of a piece, as half-lines that begin at chord.x or end at chord.y.
-struct ew_caps {
-    vec2 before;
-    vec2 beyond;
-    vec2 between;
+// Where the ray comes to the planes of a piece, in `chord`; and whether it runs from the start's to the end's.
+struct ew_planes {
+    float start;
+    float end;
+    bool is_along;
 };
 
-ew_caps ew_find_caps(ew_slab slab, vec2 chord)
+ew_planes ew_find_planes(ew_slab slab, vec2 chord)
 {
-    float at_start = ew_s_at_plane(slab, 0.0, chord);
-    float at_end = ew_s_at_plane(slab, slab.size, chord);
-    bool is_along = slab.growth > 0.0;
-    bool is_across = abs(slab.growth) <= 1e-20 * max(abs(slab.along), abs(slab.size - slab.along));
-    ew_caps caps;
-    caps.before = is_along ? vec2(chord.x, at_start) : vec2(at_start, chord.y);
-    caps.beyond = is_along ? vec2(at_end, chord.y) : vec2(chord.x, at_end);
-    caps.between = is_along ? vec2(at_start, at_end) : vec2(at_end, at_start);
-    if (is_across) {
-        bool is_before = slab.along < 0.0;
-        bool is_beyond = slab.along > slab.size;
-        caps.before = is_before ? chord : chord.xx;
-        caps.beyond = is_beyond ? chord : chord.xx;
-        caps.between = is_before || is_beyond ? chord.xx : chord;
-    }
-    return caps;
-}
-
-// What is left at a joint of the caps of both pieces and the point that is taken away: `beyond` the one, `before` the other. Where one
-// of these begins at the chord's start and the other ends at its end, all but the way between their edges cancels.
-float ew_integrate_joint(ew_segment segment, vec3 position, vec2 beyond, vec2 before, vec2 chord, vec4 glow)
-{
-    bool is_opposite = (beyond.x <= chord.x) != (before.x <= chord.x);
-    bool has_start = beyond.x <= chord.x;
-    float inner = has_start ? beyond.y : beyond.x;
-    float other = before.x <= chord.x ? before.y : before.x;
-    vec2 first = is_opposite ? (has_start ? vec2(other, inner) : vec2(inner, other)) : vec2(chord.x, min(inner, other));
-    vec2 second = vec2(max(inner, other), chord.y);
-    float sum = ew_integrate_point_over(segment, position, first, glow);
-    if (!is_opposite) {
-        sum -= ew_integrate_point_over(segment, position, second, glow);
-        sum = has_start ? sum : -sum;
-    }
-    return sum;
+    return ew_planes(ew_s_at_plane(slab, 0.0, chord), ew_s_at_plane(slab, slab.size, chord), slab.growth > 0.0);
 }
 
 #ifdef EW_WEIGHTS
@@ -140,6 +107,57 @@ float ew_integrate_joint(ew_segment segment, vec3 position, vec2 beyond, vec2 be
 const vec4 EW_PATH_NODES = vec4(0.06943184, 0.33000948, 0.66999052, 0.93056816);
 const vec4 EW_PATH_NODE_WEIGHTS = vec4(0.17392742, 0.32607258, 0.32607258, 0.17392742);
 
+#ifndef EW_WORLD
+// More panels than any part takes: they grow by factors.
+const int EW_MAX_PATH_PANELS = 64;
+
+// The same with the decay, by Gauss's rule in panels that grow from the line's peak outwards, and no faster than the depth: none is
+// longer than its distance from what is singular. Relative error 1e-4.
+float ew_integrate_weighted_part(ew_segment segment, ew_slab slab, vec2 part, vec3 weight_by_t, vec4 glow)
+{
+    vec3 to_line = slab.start - segment.origin;
+    to_line -= dot(to_line, slab.axis) * slab.axis;
+    vec3 across = segment.direction - slab.growth * slab.axis;
+    float k = max(ew_length_squared(across), 1e-12 * ew_length_squared(segment.direction));
+    float s0 = dot(to_line, across) / k;
+    float b2 = ew_length_squared(to_line - s0 * across);
+#ifdef EW_REACH
+    if (glow.y > 0.0) {
+        vec2 chord = ew_chord_of(b2, k, s0, glow.y, segment.end);
+        part = vec2(clamp(part.x, chord.x, chord.y), clamp(part.y, chord.x, chord.y));
+    }
+#endif
+    float scale = (slab.t.y - slab.t.x) / max(slab.size, 1e-30);
+    float core2 = ew_core2(glow, clamp(s0, part.x, part.y));
+    float half_core = sqrt(max(core2 - b2, 0.0) / k);
+    float half_peak = sqrt(max(b2, core2) / k);
+    float center = clamp(s0, part.x, part.y);
+    float sum = 0.0;
+    float side = -1.0;
+    float from = center;
+    int panel = 0;
+    do {
+        float stop = side < 0.0 ? part.x : part.y;
+        float away = abs(from - s0);
+        float size = away < half_core ? half_core - away : max(away, half_peak);
+        size = min(size, 0.5 * (from + ew_beta()));
+        float to = side < 0.0 ? max(from - size, stop) : min(from + size, stop);
+        vec4 s = from + (to - from) * EW_PATH_NODES;
+        vec4 t = slab.t.x + scale * (slab.along + s * slab.growth);
+        vec4 weight = weight_by_t.x + t * (weight_by_t.y + t * weight_by_t.z);
+        vec4 squared = b2 + k * (s - s0) * (s - s0);
+        squared = max(squared, vec4(ew_core2(glow, s.x), ew_core2(glow, s.y), ew_core2(glow, s.z), ew_core2(glow, s.w)));
+        vec4 depth = s + ew_beta();
+        vec4 value = weight * (inversesqrt(squared) - ew_inverse_reach(glow)) / (depth * depth);
+        sum += abs(to - from) * dot(EW_PATH_NODE_WEIGHTS, value);
+        bool is_side_done = to == stop;
+        from = is_side_done ? center : to;
+        side = is_side_done ? side + 2.0 : side;
+    } while (side < 2.0 && ++panel < EW_MAX_PATH_PANELS);
+    ew_evaluation_count += 4;
+    return sum;
+}
+#else
 // The integral over [from, to], outside of the core, of (polynomial in y = s - s0) / sqrt(b2 + k y^2): closed forms.
 float ew_integrate_weighted_side(float b2, float k, float s0, float from, float to, vec3 polynomial)
 {
@@ -168,8 +186,20 @@ float ew_integrate_weighted_part(ew_segment segment, ew_slab slab, vec2 part, ve
         part = vec2(clamp(part.x, chord.x, chord.y), clamp(part.y, chord.x, chord.y));
     }
 #endif
-    // The weight by y = s - s0: f = base + slope y is the place in the weight's piece.
     float scale = (slab.t.y - slab.t.x) / max(slab.size, 1e-30);
+    // Far from the peak, compared with the part's length, all is smooth; and so it is if the peak is much longer than the part, where
+    // the moments below would be small differences.
+    float half_part = 0.5 * (part.y - part.x);
+    bool is_far = abs(0.5 * (part.x + part.y) - s0) > 5.0 * half_part;
+    if (is_far || k * half_part * half_part < 0.1 * max(b2, ew_core2(glow, part.x))) {
+        vec4 place = part.x + 2.0 * half_part * EW_PATH_NODES;
+        vec4 t = slab.t.x + scale * (slab.along + place * slab.growth);
+        vec4 value = weight_by_t.x + t * (weight_by_t.y + t * weight_by_t.z);
+        vec4 squared = b2 + k * (place - s0) * (place - s0);
+        squared = max(squared, vec4(ew_core2(glow, place.x), ew_core2(glow, place.y), ew_core2(glow, place.z), ew_core2(glow, place.w)));
+        return 2.0 * half_part * dot(EW_PATH_NODE_WEIGHTS, value * (inversesqrt(squared) - ew_inverse_reach(glow)));
+    }
+    // The weight by y = s - s0: f = base + slope y is the place in the weight's piece.
     float base = slab.t.x + scale * (slab.along + s0 * slab.growth);
     float slope = scale * slab.growth;
     vec3 polynomial = vec3(weight_by_t.x + base * (weight_by_t.y + base * weight_by_t.z),
@@ -192,6 +222,7 @@ float ew_integrate_weighted_part(ew_segment segment, ew_slab slab, vec2 part, ve
     ew_evaluation_count += 1;
     return sum;
 }
+#endif
 
 // The most knots of the weights that lie on one straight piece, and one.
 const int EW_MAX_PIECE_KNOTS = 1024;
@@ -222,37 +253,152 @@ float ew_integrate_weighted_slab(ew_segment segment, ew_slab slab, ew_path_block
 // The most pieces of a path, as in the public header.
 const int EW_MAX_PATH_PIECES = 600;
 
+float ew_integrate_line_of_piece(ew_segment segment, ew_slab slab, ew_path_block path, ew_planes planes)
+{
+    vec2 between = planes.is_along ? vec2(planes.start, planes.end) : vec2(planes.end, planes.start);
+#ifdef EW_WEIGHTS
+    if (path.weights.y > 0.0) return ew_integrate_weighted_slab(segment, slab, path, between);
+#endif
+    return ew_integrate_slab(segment, slab, between, path.glow);
+}
+
+#ifdef EW_WORLD
+// Both ends of a straight beam at once, by the form of ew_integrate_node: of each, from the edge of its cap to the end of what the ray
+// has of its reach.
+float ew_integrate_beam_ends(ew_segment segment, ew_slab slab, ew_planes planes, vec2 chord, vec2 weights, vec4 glow)
+{
+    float k = ew_length_squared(segment.direction);
+    float root_k = sqrt(k);
+    vec3 to_start = slab.start - segment.origin;
+    vec3 to_end = slab.end - segment.origin;
+    vec2 s0 = vec2(dot(to_start, segment.direction), dot(to_end, segment.direction)) / k;
+    vec2 b2 = vec2(ew_length_squared(to_start - s0.x * segment.direction), ew_length_squared(to_end - s0.y * segment.direction));
+    vec2 b = sqrt(b2);
+    vec2 half_chord = sqrt(max((glow.y - b) * (glow.y + b), 0.0) / k);
+    // Along the piece the start's cap lies from the chord's start to the start's plane, and the end's from its plane on.
+    vec4 y = planes.is_along ? vec4(chord.x, planes.start, planes.end, chord.y) : vec4(planes.start, chord.y, chord.x, planes.end);
+    y = clamp(y - s0.xxyy, -half_chord.xxyy, half_chord.xxyy);
+    vec2 core2 = vec2(ew_core2(glow, max(s0.x, 0.0)), ew_core2(glow, max(s0.y, 0.0)));
+    vec2 half_core = sqrt(max(core2 - b2, 0.0) / k);
+    vec4 outside = max(abs(y), half_core.xxyy);
+    vec4 power = sqrt(b2.xxyy + k * outside * outside) + root_k * outside;
+    vec2 at_core = sqrt(max(core2, b2)) + root_k * half_core;
+    power /= at_core.xxyy;
+    // The antiderivative is odd in y.
+    vec4 odd = mix(power, 1.0 / power, lessThan(y, vec4(0.0)));
+    vec4 inside = clamp(y, -half_core.xxyy, half_core.xxyy);
+    vec2 sides = (0.69314718 / root_k) * log2(vec2(odd.y / odd.x, odd.w / odd.z));
+    vec2 parts = sides + vec2(inside.y - inside.x, inside.w - inside.z) * inversesqrt(core2) -
+                 vec2(y.y - y.x, y.w - y.z) * ew_inverse_reach(glow);
+    ew_evaluation_count += 2;
+    return dot(weights, parts);
+}
+#else
+float ew_integrate_beam_ends(ew_segment segment, ew_slab slab, ew_planes planes, vec2 chord, vec2 weights, vec4 glow)
+{
+    vec2 before = planes.is_along ? vec2(chord.x, planes.start) : vec2(planes.start, chord.y);
+    vec2 beyond = planes.is_along ? vec2(planes.end, chord.y) : vec2(chord.x, planes.end);
+    return weights.x * ew_integrate_point_over(segment, slab.start, before, glow) +
+           weights.y * ew_integrate_point_over(segment, slab.end, beyond, glow);
+}
+#endif
+
+float ew_integrate_beam(ew_segment segment, ew_path_block path, vec2 chord)
+{
+    ew_slab slab = ew_make_slab(segment, vec4(path.ball.xyz - path.beam.xyz, 0.0), vec4(path.ball.xyz + path.beam.xyz, 1.0));
+    ew_planes planes = ew_find_planes(slab, chord);
+    vec2 weights = vec2(ew_path_weight(path, 0.0), ew_path_weight(path, 1.0));
+    return ew_integrate_line_of_piece(segment, slab, path, planes) +
+           ew_integrate_beam_ends(segment, slab, planes, chord, weights, path.glow);
+}
+
+#ifdef EW_JOINTS
+// Where a point counts: the sum of `signs` times the antiderivative, along the ray, of its field at `places`. The signs add up to 0.
+struct ew_node {
+    vec4 places; // the edges of the caps before and behind, and the ends of what the ray has of the point's reach
+    vec4 signs;
+};
+
+// A free end: the cap that begins or ends at `edge`. It lies towards the ray's end if `is_ahead`.
+ew_node ew_make_end(float edge, bool is_ahead, vec2 chord)
+{
+    return ew_node(vec4(edge, edge, chord), is_ahead ? vec4(-1.0, 0.0, 0.0, 1.0) : vec4(1.0, 0.0, -1.0, 0.0));
+}
+
+// A joint: the cap beyond the piece before it and the cap before the piece behind it, less the point itself. Where one cap begins at
+// the ray's start and the other ends at its end, all but the way between their edges cancels.
+ew_node ew_make_joint(float beyond, bool is_beyond_ahead, float before, bool is_before_ahead, vec2 chord)
+{
+    vec4 signs = is_beyond_ahead == is_before_ahead ? vec4(-1.0, -1.0, 1.0, 1.0) : vec4(-1.0, 1.0, 0.0, 0.0);
+    return ew_node(vec4(beyond, before, chord), is_beyond_ahead ? signs : -signs);
+}
+
+#ifdef EW_WORLD
+// The antiderivative is sign(y) log((d + sqrt(k) |y|) / (d_core + sqrt(k) h)) / sqrt(k), |y| >= h, with h half of the core; in it,
+// y / r'. Logarithms become one of a product.
+float ew_integrate_node(ew_segment segment, vec3 position, ew_node node, vec4 glow)
+{
+    vec3 to_point = position - segment.origin;
+    float k = ew_length_squared(segment.direction);
+    float s0 = dot(to_point, segment.direction) / k;
+    float b2 = ew_length_squared(to_point - s0 * segment.direction);
+    float root_k = sqrt(k);
+    float half_chord = sqrt(max((glow.y - sqrt(b2)) * (glow.y + sqrt(b2)), 0.0) / k);
+    vec4 y = clamp(node.places - s0, -half_chord, half_chord);
+    float core2 = ew_core2(glow, max(s0, 0.0));
+    float half_core = sqrt(max(core2 - b2, 0.0) / k);
+    vec4 outside = max(abs(y), half_core);
+    vec4 power = (sqrt(b2 + k * outside * outside) + root_k * outside) / (sqrt(max(core2, b2)) + root_k * half_core);
+    vec4 turn = node.signs * sign(y);
+    power = mix(mix(vec4(1.0), 1.0 / power, lessThan(turn, vec4(0.0))), power, greaterThan(turn, vec4(0.0)));
+    float sides = 0.69314718 * log2(power.x * power.y * power.z * power.w) / root_k;
+    ew_evaluation_count += 1;
+    return sides + dot(node.signs, clamp(y, -half_core, half_core)) * inversesqrt(core2) -
+           dot(node.signs, y) * ew_inverse_reach(glow);
+}
+#else
+float ew_integrate_node(ew_segment segment, vec3 position, ew_node node, vec4 glow)
+{
+    float start = node.places.z;
+    float sum = 0.0;
+    int i = 0;
+    do {
+        float place = i == 0 ? node.places.x : i == 1 ? node.places.y : node.places.w;
+        float sign = i == 0 ? node.signs.x : i == 1 ? node.signs.y : node.signs.w;
+        if (sign != 0.0) sum += sign * ew_integrate_point_over(segment, position, vec2(start, place), glow);
+    } while (++i < 3);
+    return sum;
+}
+#endif
+
 float ew_integrate_polyline(ew_segment segment, ew_path_block path, vec2 chord)
 {
     int count = int(path.pieces.y);
     bool is_closed = path.pieces.w > 0.0;
-    ew_slab slab = ew_make_slab(segment, path, 0);
-    ew_caps caps = ew_find_caps(slab, chord);
-    vec3 first_start = slab.start;
-    vec2 first_before = caps.before;
-    float first_weight = ew_path_weight(path, slab.t.x);
-    float sum = is_closed ? 0.0 : first_weight * ew_integrate_point_over(segment, slab.start, caps.before, path.glow);
+    int before = is_closed ? count - 1 : 0;
+    ew_slab slab = ew_make_slab(segment, ew_piece_unit(path, 2.0, before, 0), ew_piece_unit(path, 2.0, before, 1));
+    ew_planes planes = ew_find_planes(slab, chord);
+    float end = planes.end;
+    bool is_end_ahead = planes.is_along;
+    float sum = 0.0;
     int i = 0;
     do {
-#ifdef EW_WEIGHTS
-        if (path.weights.y > 0.0) sum += ew_integrate_weighted_slab(segment, slab, path, caps.between);
-        else sum += ew_integrate_slab(segment, slab, caps.between, path.glow);
-#else
-        sum += ew_integrate_slab(segment, slab, caps.between, path.glow);
-#endif
-        vec3 end = slab.end;
-        vec2 beyond = caps.beyond;
-        bool is_last = i == count - 1;
-        float end_weight = ew_path_weight(path, slab.t.y);
-        slab = ew_make_slab(segment, path, is_last ? i : i + 1);
-        caps = ew_find_caps(slab, chord);
-        vec2 before = is_last ? first_before : caps.before;
-        float joint_weight = is_last ? first_weight : ew_path_weight(path, slab.t.x);
-        if (is_last && !is_closed) sum += end_weight * ew_integrate_point_over(segment, end, beyond, path.glow);
-        else sum += joint_weight * ew_integrate_joint(segment, is_last ? first_start : slab.start, beyond, before, chord, path.glow);
+        slab = ew_make_slab(segment, ew_piece_unit(path, 2.0, i, 0), ew_piece_unit(path, 2.0, i, 1));
+        planes = ew_find_planes(slab, chord);
+        sum += ew_integrate_line_of_piece(segment, slab, path, planes);
+        // What is before the start is ahead on the ray if the ray runs against the piece.
+        ew_node node = ew_make_joint(end, is_end_ahead, planes.start, !planes.is_along, chord);
+        if (i == 0 && !is_closed) node = ew_make_end(planes.start, !planes.is_along, chord);
+        sum += ew_path_weight(path, slab.t.x) * ew_integrate_node(segment, slab.start, node, path.glow);
+        end = planes.end;
+        is_end_ahead = planes.is_along;
     } while (++i < count && i < EW_MAX_PATH_PIECES);
+    if (!is_closed)
+        sum += ew_path_weight(path, slab.t.y) *
+               ew_integrate_node(segment, slab.end, ew_make_end(end, is_end_ahead, chord), path.glow);
     return sum;
 }
+#endif
 
 #ifdef EW_BENDS
 // ---- Bent pieces
@@ -293,20 +439,15 @@ float ew_integrate_bends(ew_segment segment, ew_path_block path, vec2 chord, flo
 
 // The integral over a segment, with the field of a path. It may be less than 0 by rounding, or between the arms of a sharp corner; the
 // sum over the sources cuts that.
-float ew_integrate(ew_segment segment, ew_path_block path, float others)
+float ew_integrate(ew_segment segment, ew_path_block path, vec2 chord, float others)
 {
-    vec2 chord = vec2(0.0, segment.end);
-#ifdef EW_REACH
-    if (path.glow.y > 0.0) chord = ew_chord(segment, path);
-#endif
     float sum = 0.0;
-    if (chord.x < chord.y) {
-#ifdef EW_BENDS
-        if (path.pieces.z > 0.0) sum = ew_integrate_bends(segment, path, chord, others);
-        else sum = ew_integrate_polyline(segment, path, chord);
-#else
-        sum = ew_integrate_polyline(segment, path, chord);
+    if (path.pieces.y == 0.0) sum = ew_integrate_beam(segment, path, chord);
+#ifdef EW_JOINTS
+    else if (path.pieces.z == 0.0) sum = ew_integrate_polyline(segment, path, chord);
 #endif
-    }
+#ifdef EW_BENDS
+    else sum = ew_integrate_bends(segment, path, chord, others);
+#endif
     return sum;
 }

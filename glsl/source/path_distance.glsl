@@ -8,16 +8,16 @@ float ew_path_sample_weight(ew_path_block path, float t)
     return 1.0;
 }
 
+#ifdef EW_JOINTS
 vec4 ew_piece_unit(ew_path_block path, float units, int i, int unit)
 {
     return ew_source_data[int(path.pieces.x) + i * int(units) + unit];
 }
+#endif
 
 // The nearest point of a straight piece.
-float ew_sample_straight(ew_path_block path, int i, vec3 position, float s, out vec4 start)
+float ew_sample_straight(ew_path_block path, vec4 start, vec4 end, vec3 position, float s)
 {
-    start = ew_piece_unit(path, 2.0, i, 0);
-    vec4 end = ew_piece_unit(path, 2.0, i, 1);
     vec3 way = end.xyz - start.xyz;
     float u = clamp(dot(position - start.xyz, way) / max(ew_length_squared(way), 1e-30), 0.0, 1.0);
     float weight = ew_path_sample_weight(path, mix(start.w, end.w, u));
@@ -44,18 +44,23 @@ float ew_sample_bent(ew_path_block path, int i, vec3 position, float s, out vec4
 
 float ew_sample_at(ew_path_block path, vec3 position, float s)
 {
-    float sum = 0.0;
-    int i = 0;
-    do {
-        vec4 start;
+    vec4 start = vec4(path.ball.xyz - path.beam.xyz, 0.0);
+    float sum = path.pieces.y > 0.0 ? 0.0 : ew_sample_straight(path, start, vec4(path.ball.xyz + path.beam.xyz, 1.0), position, s);
+#ifdef EW_JOINTS
+    int count = int(path.pieces.y);
+    for (int i = 0; i < count; ++i) {
+        if (path.pieces.z == 0.0) {
+            start = ew_piece_unit(path, 2.0, i, 0);
+            sum += ew_sample_straight(path, start, ew_piece_unit(path, 2.0, i, 1), position, s);
+        }
 #ifdef EW_BENDS
-        if (path.pieces.z > 0.0) sum += ew_sample_bent(path, i, position, s, start);
-        else sum += ew_sample_straight(path, i, position, s, start);
-#else
-        sum += ew_sample_straight(path, i, position, s, start);
+        else {
+            sum += ew_sample_bent(path, i, position, s, start);
+        }
 #endif
         if (i > 0 || path.pieces.w > 0.0)
             sum -= ew_path_sample_weight(path, start.w) * ew_sample(ew_length_squared(position - start.xyz), s, path.glow);
-    } while (++i < int(path.pieces.y));
+    }
+#endif
     return sum;
 }

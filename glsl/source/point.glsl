@@ -17,18 +17,13 @@ vec2 ew_chord(ew_segment segment, ew_point_block point)
 // The integral over a segment of 1 / max(epsilon, distance to a point), equation (2), by the closed form. The ray's distance
 // from the point is the length of a perpendicular vector, because the root of a difference of squares would cancel. Relative
 // error 1e-6.
-float ew_integrate(ew_segment segment, ew_point_block point, float others)
+float ew_integrate(ew_segment segment, ew_point_block point, vec2 chord, float others)
 {
     vec3 to_point = point.position.xyz - segment.origin;
     float k = ew_length_squared(segment.direction);
     float s0 = dot(to_point, segment.direction) / k;
     float b2 = ew_length_squared(to_point - s0 * segment.direction);
     ew_evaluation_count += 1;
-#ifdef EW_REACH
-    vec2 part = point.glow.y > 0.0 ? ew_chord_of(b2, k, s0, point.glow.y, segment.end) : vec2(0.0, segment.end);
-#else
-    vec2 part = vec2(0.0, segment.end);
-#endif
-    return ew_integrate_within_reach(b2, k, s0, part, point.glow);
+    return ew_integrate_within_reach(b2, k, s0, chord, point.glow);
 }
 #endif

@@ -98,7 +98,7 @@ float ew_torus_edge_of_reach(ew_torus_side side, float reach2, float inner, floa
             square.x = edge;
             excess = vec2(value, 0.5 * excess.y);
         }
-    } while (++step < 5);
+    } while (++step < 8);
     return inner + way * sqrt(max(edge, 0.0));
 }
 

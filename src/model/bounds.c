@@ -5,7 +5,7 @@
 
 /* How many times as far as the nearest thing that matters the interval goes for a source without an end. A ray that is not
  * along an infinite line leaves its reach long before. */
-#define ENDLESS_RATIO 1e5
+#define ENDLESS_RATIO 1e4
 /* The first depth of a perspective view over the last: the eye itself has no window depth. */
 #define MIN_DEPTH_RATIO 1e-9
 
@@ -31,33 +31,40 @@ static double first_depth(const ew_view *view)
 
 typedef struct depth_range {
     const ew_view *view;
+    double core_growth;
     double least, most; /* of the balls that have an end */
-    double endless;     /* the largest distance of the centre of one that has none; < 0: there is none */
+    double endless;     /* the largest depth at which one that has none may shine; < 0: there is none */
 } depth_range;
 
-static void take_depths(void *user, const ew_ball *ball)
+/* Where cores are as wide as the reach, nothing is left of the light. */
+static double last_depth(const depth_range *range, double reach)
+{
+    return range->core_growth > 0 ? reach / range->core_growth : HUGE_VAL;
+}
+
+static void take_depths(void *user, const ew_ball *ball, double reach)
 {
     depth_range *range = user;
-    double center[3];
+    double center[3], last = last_depth(range, reach);
     to_view(range->view, ball->center, center);
     if (isinf(ball->radius)) {
-        range->endless = fmax(range->endless, sqrt(ew_dot(center, center)));
+        double far = ENDLESS_RATIO * (sqrt(ew_dot(center, center)) + reach);
+        range->endless = fmax(range->endless, fmin(far, last));
         return;
     }
     range->least = fmin(range->least, -center[2] - ball->radius);
-    range->most = fmax(range->most, -center[2] + ball->radius);
+    range->most = fmax(range->most, fmin(-center[2] + ball->radius, last));
 }
 
-ew_interval ew_lit_interval(const ew_sources *sources, const ew_view *view)
+ew_interval ew_lit_interval(const ew_sources *sources, const ew_view *view, double core_growth)
 {
-    depth_range range = {view, HUGE_VAL, -HUGE_VAL, -1};
-    ew_sources_for_each_lit_ball(sources, take_depths, &range);
     double first = first_depth(view);
+    depth_range range = {view, ew_is_parallel(view) ? 0 : core_growth, HUGE_VAL, -HUGE_VAL, -1};
+    ew_sources_for_each_lit_ball(sources, take_depths, &range);
     ew_interval interval = {fmax(range.least, first), range.most};
     if (range.endless >= 0) {
-        double size = fmax(range.endless, isfinite(range.most) ? fabs(range.most) : 0);
         interval.start = first;
-        interval.end = fmax(range.most, first + ENDLESS_RATIO * (size > 0 ? size : 1));
+        interval.end = fmax(range.most, first + range.endless);
     }
     if (!(interval.end > interval.start)) return (ew_interval){first + 1, first + 2};
     if (!ew_is_parallel(view)) interval.start = fmax(interval.start, MIN_DEPTH_RATIO * interval.end);
@@ -96,8 +103,9 @@ static void take_all(screen_range *range)
 }
 
 /* The ball's box in view space, cut at the first depth: what is seen of its corners bounds what is seen of the ball. */
-static void take_ball(void *user, const ew_ball *ball)
+static void take_ball(void *user, const ew_ball *ball, double reach)
 {
+    (void)reach;
     screen_range *range = user;
     if (isinf(ball->radius)) {
         take_all(range);

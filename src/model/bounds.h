@@ -6,8 +6,9 @@
 #include "model/sources.h"
 
 /* The view depths between which sources can light anything, from the eye on, or from the near plane of a parallel projection.
- * Where one has no end, the interval ends far beyond all others. Never empty, so that it can be a unit of length. */
-ew_interval ew_lit_interval(const ew_sources *sources, const ew_view *view);
+ * Where one has no end, the interval ends where its core, which grows by `core_growth` a unit of depth, is as wide as its
+ * reach, or far away. Never empty, so that it can be a unit of length. */
+ew_interval ew_lit_interval(const ew_sources *sources, const ew_view *view, double core_growth);
 
 /* See ew_get_bounds. `interval` bounds the sources that have no reach; NULL in the world integral. */
 ew_bounds ew_find_bounds(const ew_sources *sources, const ew_view *view, const ew_interval *interval,

@@ -5,6 +5,7 @@
 
 #define EW_MAX_COORDINATE 1e6 /* in lengths of the interval */
 #define EW_MIN_EPSILON 1e-12  /* in lengths of the interval */
+#define EW_MIN_CORE 1e-16     /* the same of the world integral, whose interval is as long as what is lit */
 #define EW_MAX_COEFFICIENT 1e12
 #define EW_MAX_COLOR 65504.0 /* the largest half float */
 #define EW_MIN_BETA 1e-6

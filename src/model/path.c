@@ -6,7 +6,7 @@
 #include "model/weights.h"
 
 /* How far the pieces may be from a cubic, in cores. */
-#define CUBIC_TOLERANCE 3.3e-3
+#define CUBIC_TOLERANCE 3e-4
 /* How far a straight piece may be from the curve that it replaces, in cores: the luminance at the core's edge changes by as
  * much over ln(reach / core). */
 #define STRAIGHT_TOLERANCE 1e-3

@@ -61,7 +61,8 @@ static void make(const void *source, double core, void *pieces)
     ew_make_path_pieces(source, core, pieces);
 }
 
-/* A straight piece along which t is not even counts as bent where there are weights. */
+/* A straight beam has its one piece in its block. A straight piece along which t is not even counts as bent where there are
+ * weights. */
 static size_t piece_units(const void *source, const void *pieces, size_t piece_count)
 {
     const ew_path *path = source;
@@ -72,6 +73,7 @@ static size_t piece_units(const void *source, const void *pieces, size_t piece_c
         bool is_even = ew_dot(bend, bend) == 0;
         is_bent = is_bent || !piece[i].is_straight || (path->weight_count > 0 && !is_even);
     }
+    if (piece_count == 1 && !is_bent && !piece->starts_at_joint && piece->domain[0] == 0 && piece->domain[1] == 1) return 0;
     return (is_bent ? sizeof(struct ew_bent_block) : sizeof(struct ew_straight_block)) / sizeof(ew_vec4);
 }
 
@@ -110,15 +112,36 @@ static ew_result pack_bent(const ew_path_piece *piece, const ew_source_name *nam
     return ew_check_arc(&arc, name, error);
 }
 
+/* A straight beam is its own piece: the ball's centre is its middle. */
+static ew_result pack_beam(const ew_path_piece *piece, const ew_source_name *name, const ew_ray_space *space,
+                           struct ew_path_block *block, ew_error *error)
+{
+    double middle[3], half[3], middle_in_space[3], half_in_space[3];
+    const double(*p)[3] = piece->curve.polynomial;
+    for (int i = 0; i < 3; ++i) {
+        half[i] = 0.5 * (p[1][i] + p[2][i]) / space->length;
+        middle[i] = p[0][i] + 0.5 * (p[1][i] + p[2][i]);
+    }
+    ew_ray_space_place(space, middle, middle_in_space);
+    ew_ray_space_turn(space, half, half_in_space);
+    block->ball = ew_pack(middle_in_space, sqrt(ew_dot(half_in_space, half_in_space)));
+    block->beam = ew_pack(half_in_space, 0);
+    block->pieces.x = block->pieces.y = block->pieces.z = 0;
+    ew_result result = ew_check_coordinates(name, middle_in_space, error);
+    return result == EW_OK ? ew_check_coordinates(name, half_in_space, error) : result;
+}
+
 static ew_result pack_pieces(const ew_source_name *name, const ew_ray_space *space, const void *pieces,
                              const ew_piece_range *range, void *block, ew_vec4 *units, ew_error *error)
 {
     const ew_path_piece *piece = pieces;
     struct ew_path_block *packed = block;
+    if (range->piece_units == 0) return pack_beam(piece, name, space, packed, error);
     bool is_bent = range->piece_units == sizeof(struct ew_bent_block) / sizeof(ew_vec4);
     double center[3];
     ew_ray_space_place(space, range->ball.center, center);
     packed->ball = ew_pack(center, range->ball.radius / space->length);
+    packed->beam = (ew_vec4){0};
     packed->pieces.x = (float)range->first_unit;
     packed->pieces.y = (float)range->piece_count;
     packed->pieces.z = is_bent;

@@ -267,6 +267,7 @@ static ew_result make_shapes(const ew_sources_desc *desc, ew_sources *sources, e
             kind->chain->make(source, core, pieces);
             range->pieces = pieces;
             range->piece_units = kind->chain->piece_units(source, pieces, range->piece_count);
+            sources->has_joints = sources->has_joints || range->piece_units > 0;
             sources->has_bends = sources->has_bends || range->piece_units == EW_MAX_PIECE_UNITS;
             pieces += range->piece_count * kind->chain->piece_size;
             unit += range->piece_count * range->piece_units;
@@ -308,8 +309,10 @@ void ew_sources_destroy(ew_sources *sources, const ew_allocator *allocator)
 
 ew_mix ew_sources_mix(const ew_sources *sources)
 {
-    ew_mix mix = {
-        .has_weights = sources->weight_piece_count > 0, .has_reach = sources->has_glow, .has_bends = sources->has_bends};
+    ew_mix mix = {.has_weights = sources->weight_piece_count > 0,
+                  .has_reach = sources->has_glow,
+                  .has_joints = sources->has_joints,
+                  .has_bends = sources->has_bends};
     for (int k = 0; k < EW_KIND_COUNT; ++k) {
         const ew_kind *kind = ew_kinds[k];
         memcpy((char *)&mix + kind->mix_offset, &sources->counts[k], sizeof sources->counts[k]);
@@ -344,9 +347,10 @@ static ew_result pack_emission(const ew_emission *emission, const ew_source_name
         return ew_fail(error, EW_ERROR_INVALID_ARGUMENT,
                        "%s[%zu].coefficient times decay_alpha over the interval's length must be at most %g", name->list,
                        name->index, EW_MAX_COEFFICIENT);
-    if (!(core_in_space >= EW_MIN_EPSILON && core_in_space <= EW_MAX_COORDINATE))
+    double least = packing->needs_reach ? EW_MIN_CORE : EW_MIN_EPSILON;
+    if (!(core_in_space >= least && core_in_space <= EW_MAX_COORDINATE))
         return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "%s, of %s[%zu], over the interval's length must be in [%g, %g]",
-                       emission->core > 0 ? "core" : "epsilon", name->list, name->index, EW_MIN_EPSILON, EW_MAX_COORDINATE);
+                       emission->core > 0 ? "core" : "epsilon", name->list, name->index, least, EW_MAX_COORDINATE);
     if (packing->needs_reach && emission->reach == 0)
         return refuse(name, "reach must be given in a frame without an interval", error);
     double color[3];
@@ -385,7 +389,8 @@ ew_result ew_sources_pack(ew_sources *sources, const ew_packing *packing, ew_err
     return EW_OK;
 }
 
-void ew_sources_for_each_lit_ball(const ew_sources *sources, void (*take)(void *user, const ew_ball *ball), void *user)
+void ew_sources_for_each_lit_ball(const ew_sources *sources, void (*take)(void *user, const ew_ball *ball, double reach),
+                                  void *user)
 {
     const ew_ball *ball = sources->balls;
     for (int k = 0; k < EW_KIND_COUNT; ++k) {
@@ -395,7 +400,7 @@ void ew_sources_for_each_lit_ball(const ew_sources *sources, void (*take)(void *
             double reach = ew_source_emission(kind, source)->reach;
             ew_ball lit = *ball;
             lit.radius = reach > 0 ? lit.radius + reach : HUGE_VAL;
-            take(user, &lit);
+            take(user, &lit, reach);
         }
     }
 }

@@ -20,7 +20,7 @@ typedef struct ew_sources {
     ew_ball *balls;               /* one for each source, kind after kind */
     ew_piece_range *piece_ranges; /* one for each source that is a chain, kind after kind */
     void *pieces;                 /* in world space */
-    bool has_bends;               /* a path has bent pieces */
+    bool has_joints, has_bends;   /* a path has bent pieces */
     ew_weight_range *weights;     /* one for each source of a kind that has weights, kind after kind */
     void *data;                   /* what goes into the uniform block */
     size_t data_size;
@@ -52,7 +52,8 @@ typedef struct ew_packing {
 /* Brings the sources to ray space and fills `data`. */
 ew_result ew_sources_pack(ew_sources *sources, const ew_packing *packing, ew_error *error);
 
-/* Calls `take` with a ball around all that each source can light: HUGE_VAL is the radius of what has no end. */
-void ew_sources_for_each_lit_ball(const ew_sources *sources, void (*take)(void *user, const ew_ball *ball), void *user);
+/* Calls `take` with a ball around all that each source can light, and its reach: HUGE_VAL is the radius of what has no end. */
+void ew_sources_for_each_lit_ball(const ew_sources *sources, void (*take)(void *user, const ew_ball *ball, double reach),
+                                  void *user);
 
 #endif

@@ -35,7 +35,8 @@ static unsigned field_of(const ew_mix *mix, const ew_frame_desc *frame)
     unsigned key = ew_is_world_frame(frame) ? EW_PERMUTATION_WORLD | EW_PERMUTATION_REACH : 0;
     if (mix->has_reach) key |= EW_PERMUTATION_REACH;
     if (mix->has_sharpness) key |= EW_PERMUTATION_SHARPNESS | EW_PERMUTATION_REACH;
-    if (mix->has_bends && mix->path_count > 0) key |= EW_PERMUTATION_BENDS;
+    if (mix->has_joints && mix->path_count > 0) key |= EW_PERMUTATION_JOINTS;
+    if (mix->has_bends && mix->path_count > 0) key |= EW_PERMUTATION_BENDS | EW_PERMUTATION_JOINTS;
     if (ew_core_pixels_of(frame) > 0) key |= EW_PERMUTATION_CORE_PIXELS;
     return key;
 }
@@ -70,7 +71,7 @@ bool ew_permutation_covers(unsigned key, unsigned other)
 {
     /* What a shader may know without harm to sources that do not need it. Reaches are not among that: blocks are longer with
      * them. */
-    const unsigned extras = EW_PERMUTATION_WEIGHTS | EW_PERMUTATION_SHARPNESS | EW_PERMUTATION_BENDS;
+    const unsigned extras = EW_PERMUTATION_WEIGHTS | EW_PERMUTATION_SHARPNESS | EW_PERMUTATION_JOINTS | EW_PERMUTATION_BENDS;
     const unsigned flags = ((1u << EW_PERMUTATION_FLAG_COUNT) - 1) & ~extras;
     if ((key & flags) != (other & flags) || (other & extras & ~key) != 0) return false;
     for (int kind = 0; kind < EW_KIND_COUNT; ++kind)

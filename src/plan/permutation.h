@@ -21,8 +21,9 @@ enum {
     EW_PERMUTATION_CORE_PIXELS = 1 << 10,
     EW_PERMUTATION_SHARPNESS = 1 << 11,
     EW_PERMUTATION_SOFT = 1 << 12,
-    EW_PERMUTATION_BENDS = 1 << 13,
-    EW_PERMUTATION_FLAG_COUNT = 14,
+    EW_PERMUTATION_JOINTS = 1 << 13,
+    EW_PERMUTATION_BENDS = 1 << 14, /* with EW_PERMUTATION_JOINTS */
+    EW_PERMUTATION_FLAG_COUNT = 15,
 };
 
 /* Above the flags stand the counts of sources by kind, each in a field of EW_PERMUTATION_COUNT_BITS: a count up to

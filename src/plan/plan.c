@@ -19,6 +19,15 @@ static ew_viewport viewport_of(const ew_frame_desc *frame)
     return (ew_viewport){frame->viewport_x, frame->viewport_y, frame->viewport_width, frame->viewport_height};
 }
 
+/* How much the least radius of a core grows with view depth; of a parallel projection, that radius. 0 without a viewport. */
+static double core_growth_of(const ew_frame_desc *frame)
+{
+    const ew_view view = ew_view_of(frame);
+    const ew_viewport viewport = viewport_of(frame);
+    if (viewport.width <= 0 || viewport.height <= 0) return 0;
+    return 0.5 * ew_core_pixels_of(frame) * ew_pixel_height(&view, &viewport);
+}
+
 /* Fills what depends on the viewport: the rays of its pixels, and how wide cores are at the least. */
 static void pack_viewport(ew_plan *plan, const ew_frame_desc *frame, const ew_interval *interval)
 {
@@ -26,17 +35,16 @@ static void pack_viewport(ew_plan *plan, const ew_frame_desc *frame, const ew_in
     const ew_viewport viewport = viewport_of(frame);
     struct ew_frame_block *block = &plan->uniforms.frame;
     ew_pack_rays(&view, interval, &viewport, block);
-    double half = 0.5 * ew_core_pixels_of(frame), length = interval->end - interval->start;
-    double pixel = ew_pixel_height(&view, &viewport);
-    block->core_floor.x = ew_is_parallel(&view) ? 0 : (float)(half * pixel * half * pixel);
-    block->core_floor.z = ew_is_parallel(&view) ? (float)(half * pixel * half * pixel / (length * length)) : 0;
+    double growth = core_growth_of(frame), length = interval->end - interval->start;
+    block->core_floor.x = ew_is_parallel(&view) ? 0 : (float)(growth * growth);
+    block->core_floor.z = ew_is_parallel(&view) ? (float)(growth * growth / (length * length)) : 0;
 }
 
 /* The interval of a checked frame: its own, or that of the world integral, which the sources decide. */
 static ew_interval interval_of(const ew_frame_desc *frame, const ew_sources *sources)
 {
     const ew_view view = ew_view_of(frame);
-    if (ew_is_world_frame(frame)) return ew_lit_interval(sources, &view);
+    if (ew_is_world_frame(frame)) return ew_lit_interval(sources, &view, core_growth_of(frame));
     return (ew_interval){frame->interval_start, frame->interval_end};
 }
 

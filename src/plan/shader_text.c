@@ -89,7 +89,7 @@ static void add_defines(ew_shader_text *text, const ew_dialect *dialect, unsigne
     static const char *const flags[EW_PERMUTATION_FLAG_COUNT] = {
         "WEIGHTS",           "DEPTH",     "SIMPSON",     "LUMINANCE", "EVALUATIONS",
         "DEPTH_MULTISAMPLE", "DITHER",    "DITHER_SRGB", "WORLD",     "REACH",
-        "CORE_PIXELS",       "SHARPNESS", "SOFT",        "BENDS"};
+        "CORE_PIXELS",       "SHARPNESS", "SOFT",        "JOINTS",    "BENDS"};
     add_made(text, "#define EW_SOURCE_DATA_SIZE %zu\n", dialect->capacity);
     for (int i = 0; i < EW_PERMUTATION_FLAG_COUNT; ++i)
         if (key & 1u << i) add_made(text, "#define EW_%s\n", flags[i]);

@@ -1,5 +1,6 @@
 /* Luminances by brute force: see brute_force.h. */
 #include "brute_force.h"
+#include "brute_force_path.h"
 #include "source_kinds.h"
 
 #include <math.h>
@@ -86,11 +87,8 @@ long double brute_force_curve_distance(const ew_curve *curve, const long double 
 }
 
 /* The weight by de Boor's algorithm (not by the basis functions). */
-static long double brute_force_weight(const ew_curve *curve, long double t)
+long double brute_force_weight(const double *w, size_t n, long double u)
 {
-    size_t n = curve->weight_count;
-    const double *w = curve->weights;
-    long double u = (t - curve->domain[0]) / ((long double)curve->domain[1] - curve->domain[0]);
     if (n == 0) return 1;
     if (n == 1) return w[0];
     if (n == 2) return (1 - u) * w[0] + u * w[1];
@@ -150,7 +148,8 @@ static long double distance_to_curve(const void *source, const long double p[3],
 {
     const ew_curve *curve = source;
     long double t = 0, distance = brute_force_curve_distance(curve, p, &t);
-    *weight = brute_force_weight(curve, t);
+    long double u = (t - curve->domain[0]) / ((long double)curve->domain[1] - curve->domain[0]);
+    *weight = brute_force_weight(curve->weights, curve->weight_count, u);
     return distance;
 }
 
@@ -167,20 +166,46 @@ static distance_function *const distances[SOURCE_KIND_COUNT] = {
 typedef struct brute_force {
     const ew_sources_desc *sources; /* a single one */
     int kind;
+    brute_force_light light;
     const reference_ray *ray;
 } brute_force;
 
+/* 1 / max(r', d) - 1 / R, or 0 beyond the reach: by the definitions in energywave.h. */
+long double brute_force_glow(const brute_force_light *light, long double distance)
+{
+    long double floored = fmaxl(light->core, distance);
+    return light->reach == 0 ? 1 / floored : fmaxl(0, 1 / floored - 1 / light->reach);
+}
+
+/* What does not change along the ray: the coefficient, and the core as the world has it. */
+static brute_force_light light_of(const source_light *light, double epsilon)
+{
+    brute_force_light result = {light->coefficient, light->core > 0 ? light->core : epsilon, light->reach};
+    if (light->brightness > 0) result.coefficient = light->brightness / (2 * logl(result.reach / result.core));
+    return result;
+}
+
+static long double brute_force_field(const brute_force *f, const brute_force_light *light, const long double p[3])
+{
+    const void *source = source_at(source_kinds[f->kind], f->sources, 0);
+    if (f->kind == KIND_PATH) return brute_force_path_field(source, light, p);
+    long double weight = 1, distance = distances[f->kind](source, p, &weight);
+    return weight * brute_force_glow(light, distance);
+}
+
 static long double brute_force_integrand(const brute_force *f, long double s)
 {
-    const source_kind *kind = source_kinds[f->kind];
     const reference_ray *ray = f->ray;
-    const void *source = source_at(kind, f->sources, 0);
-    long double p[3], weight = 1, s_plus_beta = s + ray->decay_beta;
-    for (int i = 0; i < 3; i++)
-        p[i] = ray->start[i] + s * ((long double)ray->end[i] - ray->start[i]);
-    long double distance = distances[f->kind](source, p, &weight);
-    return source_light_of(kind, source).coefficient * weight / fmaxl(f->sources->epsilon, distance) * ray->decay_alpha /
-           (s_plus_beta * s_plus_beta);
+    brute_force_light light = f->light;
+    long double p[3], direction[3], s_plus_beta = s + ray->decay_beta;
+    for (int i = 0; i < 3; i++) {
+        direction[i] = (long double)ray->end[i] - ray->start[i];
+        p[i] = ray->start[i] + s * direction[i];
+    }
+    light.core = hypotl(light.core, (1 - s) * ray->least_core[0] + s * ray->least_core[1]);
+    long double dx = hypotl(hypotl(direction[0], direction[1]), direction[2]);
+    return light.coefficient * brute_force_field(f, &light, p) *
+           (ray->is_world ? dx : ray->decay_alpha / (s_plus_beta * s_plus_beta));
 }
 
 /* Lobatto's rule with seven points. It samples the ends, and so sees kinks near them that Gauss's rules would miss. */
@@ -212,12 +237,15 @@ double brute_force_luminance(const ew_sources_desc *sources, const reference_ray
     brute_force f = {.sources = sources, .ray = ray};
     while (source_count(source_kinds[f.kind], sources) == 0)
         f.kind++;
+    const source_kind *kind = source_kinds[f.kind];
+    source_light light = source_light_of(kind, source_at(kind, sources, 0));
+    f.light = light_of(&light, sources->epsilon);
     long double ends[PANELS + 1], parts[PANELS], rough = 0, sum = 0;
     for (int i = 0; i <= PANELS; i++)
         ends[i] = (long double)ray->s_max * i / PANELS;
     for (int i = 0; i < PANELS; i++)
         rough += parts[i] = lobatto(&f, ends[i], ends[i + 1]);
     for (int i = 0; i < PANELS; i++)
-        sum += bisect(&f, ends[i], ends[i + 1], parts[i], 1e-13L * rough, false);
-    return (double)sum;
+        sum += bisect(&f, ends[i], ends[i + 1], parts[i], 1e-13L * rough + 1e-14L * f.light.coefficient, false);
+    return (double)fmaxl(0, sum);
 }

@@ -137,6 +137,37 @@ static void rays_are_the_cameras(void **state)
     assert_true(scene_rays_ray(&rays, 0, 0, 1.5).s_max == 0);
 }
 
+/* The same camera, with no interval: rays begin at the eye, and s is the view depth. A pixel is 2 / SIDE of the view depth
+ * high. */
+static void world_rays_begin_at_the_eye(void **state)
+{
+    (void)state;
+    scene_rays world = rays;
+    world.is_world = true;
+    world.core_pixels = 3;
+    reference_ray corner = scene_rays_ray(&world, SIDE, 0, 7);
+    const double direction[] = {1, -1, -1};
+    for (int i = 0; i < 3; i++) {
+        assert_true(corner.start[i] == 0);
+        assert_true(fabs(corner.end[i] - direction[i]) < 1e-14);
+    }
+    assert_true(corner.is_world && corner.s_max == 7);
+    assert_true(corner.least_core[0] == 0 && fabs(corner.least_core[1] - 3.0 / SIDE) < 1e-14);
+    assert_true(isinf(scene_rays_pixel(&world, 3, 4, 1).s_max));
+    assert_true(fabs(scene_rays_pixel(&world, 3, 4, 0.5).s_max - 21 / 11.0) < 1e-14);
+
+    world.camera.orthographic = true;
+    world.camera.height = 4;
+    corner = scene_rays_ray(&world, SIDE, 0, 7);
+    const double start[] = {2, -2, -1}, end[] = {2, -2, -2};
+    for (int i = 0; i < 3; i++) {
+        assert_true(fabs(corner.start[i] - start[i]) < 1e-14);
+        assert_true(fabs(corner.end[i] - end[i]) < 1e-14);
+    }
+    assert_true(corner.s_max == 6);
+    assert_true(fabs(corner.least_core[0] - 6.0 / SIDE) < 1e-14 && corner.least_core[1] == corner.least_core[0]);
+}
+
 static void depths_are_the_cameras(void **state)
 {
     (void)state;
@@ -207,6 +238,7 @@ int main(void)
         cmocka_unit_test(what_is_no_luminance_is_found),
         cmocka_unit_test(samples_hold_the_brightest_pixel),
         cmocka_unit_test(rays_are_the_cameras),
+        cmocka_unit_test(world_rays_begin_at_the_eye),
         cmocka_unit_test(depths_are_the_cameras),
         cmocka_unit_test(places_are_seen_where_their_rays_are),
         cmocka_unit_test(stored_depths_are_those_that_are_read),

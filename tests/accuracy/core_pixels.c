@@ -9,8 +9,9 @@
 static bool random_source_place(const scene_rays *rays, uint64_t *random, double place[3])
 {
     size_t index = random_index(random, source_count_of_all_kinds(&rays->sources));
-    double u = random_unit(random), middle = 0.5 * (rays->interval_start + rays->interval_end);
-    source_view view = {.length = rays->interval_end - rays->interval_start};
+    double u = random_unit(random), middle;
+    source_view view;
+    scene_rays_depth_range(rays, &middle, &view.length);
     for (int i = 0; i < 3; i++)
         view.middle[i] = middle * rays->forward[i];
     for (int k = 0; k < SOURCE_KIND_COUNT; k++) {
@@ -31,7 +32,7 @@ bool random_core_pixel(const scene_rays *rays, uint64_t *random, int *x, int *y)
     if (!random_source_place(rays, random, place)) return false;
     double distance = 0.25 * pow(128, random_unit(random)), angle = 2 * M_PI * random_unit(random);
     scene_rays_project(rays, place, &column, &row, &depth);
-    if (!(depth >= rays->interval_start && depth <= rays->interval_end)) return false;
+    if (rays->is_world ? !(depth > 0) : !(depth >= rays->interval_start && depth <= rays->interval_end)) return false;
     column += distance * cos(angle);
     row += distance * sin(angle);
     if (!(column >= 0 && column < rays->width && row >= 0 && row < rays->height)) return false;

@@ -125,10 +125,13 @@ static bool read_options(int argc, char **argv, command_line *options, char *mes
 /* ---- Scenes ---------------------------------------------------------------------------------------------------------------
  */
 
-/* As many as take the reference about a second. */
+/* As many as take the reference about a second. A path is a source for each of its pieces and joints. */
 static size_t default_pixels(const demo_scene *scene)
 {
-    size_t sources = source_count_of_all_kinds(&scene->sources), pixels = 40000 / (sources + 1);
+    size_t sources = source_count_of_all_kinds(&scene->sources);
+    for (size_t i = 0; i < scene->sources.path_count; i++)
+        sources += 2 * scene->sources.paths[i].point_count;
+    size_t pixels = 40000 / (sources + 1);
     return pixels > 4000 ? 4000 : pixels < 400 ? 400 : pixels;
 }
 

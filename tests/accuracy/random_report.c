@@ -33,7 +33,7 @@ static void count_errors(const random_picture *picture, error_counts *counts)
 static void print_counts(const char *name, const error_counts *counts)
 {
     if (counts->scenes > 0)
-        printf("%-15s %6zu %8zu %10.2e %8zu %7.3f %% %8zu %6zu %10zu\n", name, counts->scenes, counts->pixels, counts->largest,
+        printf("%-20s %6zu %8zu %10.2e %8zu %7.3f %% %8zu %6zu %10zu\n", name, counts->scenes, counts->pixels, counts->largest,
                counts->unusual, 100.0 * (double)counts->unusual / (double)counts->pixels, counts->wrong, counts->bad,
                counts->unreliable);
 }
@@ -41,7 +41,7 @@ static void print_counts(const char *name, const error_counts *counts)
 /* The table of all kinds of scenes. */
 static void print_kinds(const error_counts kinds[RANDOM_SCENE_KIND_COUNT], const error_counts *all)
 {
-    printf("%-15s %6s %8s %10s %8s %9s %8s %6s %10s\n", "kind", "scenes", "pixels", "largest", "> 1e-3", "", "> 1e-2", "bad",
+    printf("%-20s %6s %8s %10s %8s %9s %8s %6s %10s\n", "kind", "scenes", "pixels", "largest", "> 1e-3", "", "> 1e-2", "bad",
            "unreliable");
     for (int kind = 0; kind < RANDOM_SCENE_KIND_COUNT; kind++)
         print_counts(random_scene_kind_name(kind), &kinds[kind]);
@@ -51,13 +51,13 @@ static void print_kinds(const error_counts kinds[RANDOM_SCENE_KIND_COUNT], const
 static void print_worst(const random_picture *const *pictures, size_t count)
 {
     if (count > 0)
-        printf("\n%-10s %-15s %-10s %10s %13s %13s %11s\n", "seed", "kind", "pixel", "error", "luminance", "truth",
+        printf("\n%-14s %-20s %-10s %10s %13s %13s %11s\n", "seed", "kind", "pixel", "error", "luminance", "truth",
                "rounded ray");
     for (size_t i = 0; i < count; i++) {
         const random_pixel *pixel = pictures[i]->worst;
         char place[24];
         snprintf(place, sizeof place, "%d,%d", pixel->x, pixel->y);
-        printf("%-10llu %-15s %-10s %10.2e %13.6g %13.6g %11.1e\n", (unsigned long long)pictures[i]->seed,
+        printf("%-14llu %-20s %-10s %10.2e %13.6g %13.6g %11.1e\n", (unsigned long long)pictures[i]->seed,
                random_scene_kind_name(pictures[i]->kind), place, pixel->error, (double)pixel->luminance, pixel->truth,
                pictures[i]->sensitivity);
     }

@@ -16,22 +16,39 @@ typedef struct combination {
     int counts[SOURCE_KIND_COUNT]; /* and how many more of some */
 } combination;
 
-static const combination combinations[RANDOM_SCENE_COMBINATION_COUNT] = {
+/* Those of the papers' integral have no paths, so that they stay the scenes they were before there were paths. */
+static const combination papers_combinations[RANDOM_SCENE_COMBINATION_COUNT] = {
     {.name = "weighted curve", .share = 0.25, .counts = {[KIND_CURVE] = 1}},
     {.name = "two curves", .share = 0.08, .counts = {[KIND_CURVE] = 2}},
-    {.name = "mix", .share = 0.12, .count_of_each = 1},
-    {.name = "many", .share = 0.05, .count_of_each = 5},
+    {.name = "mix", .share = 0.12, .counts = {[KIND_POINT] = 1, [KIND_LINE] = 1, [KIND_TORUS] = 1, [KIND_CURVE] = 1}},
+    {.name = "many", .share = 0.05, .counts = {[KIND_POINT] = 5, [KIND_LINE] = 5, [KIND_TORUS] = 5, [KIND_CURVE] = 5}},
 };
 
+static const combination world_combinations[RANDOM_SCENE_COMBINATION_COUNT] = {
+    {.name = "world weighted curve", .share = 0.08, .counts = {[KIND_CURVE] = 1}},
+    {.name = "world weighted path", .share = 0.12, .counts = {[KIND_PATH] = 1}},
+    {.name = "world mix", .share = 0.1, .count_of_each = 1},
+    {.name = "world many", .share = 0.02, .count_of_each = 3},
+};
+
+static bool is_world_kind(int scene_kind)
+{
+    return scene_kind >= RANDOM_PAPERS_KIND_COUNT;
+}
+
+/* NULL if it is a single source. */
 static const combination *combination_of(int scene_kind)
 {
-    return scene_kind < SOURCE_KIND_COUNT ? NULL : &combinations[scene_kind - SOURCE_KIND_COUNT];
+    int number = scene_kind % RANDOM_PAPERS_KIND_COUNT - SOURCE_KIND_COUNT;
+    return number < 0 ? NULL : is_world_kind(scene_kind) ? &world_combinations[number] : &papers_combinations[number];
 }
 
 const char *random_scene_kind_name(int scene_kind)
 {
     const combination *several = combination_of(scene_kind);
-    return several ? several->name : source_kinds[scene_kind]->name;
+    if (several) return several->name;
+    const source_kind *kind = source_kinds[scene_kind % RANDOM_PAPERS_KIND_COUNT];
+    return is_world_kind(scene_kind) ? kind->world_scene_name : kind->name;
 }
 
 int random_scene_kind_find(const char *name)
@@ -44,35 +61,58 @@ int random_scene_kind_find(const char *name)
 static double share_of(int scene_kind)
 {
     const combination *several = combination_of(scene_kind);
-    return several ? several->share : source_kinds[scene_kind]->scene_share;
+    if (several) return several->share;
+    const source_kind *kind = source_kinds[scene_kind % RANDOM_PAPERS_KIND_COUNT];
+    return is_world_kind(scene_kind) ? kind->world_scene_share : kind->scene_share;
 }
 
 static int count_of(int scene_kind, int kind)
 {
     const combination *several = combination_of(scene_kind);
-    return several ? several->count_of_each + several->counts[kind] : scene_kind == kind;
+    return several ? several->count_of_each + several->counts[kind] : scene_kind % RANDOM_PAPERS_KIND_COUNT == kind;
 }
 
 /* The first numbers of a seed's sequence choose the kind. */
 static int choose_kind(scene_maker *m)
 {
+    int first = m->is_world ? RANDOM_PAPERS_KIND_COUNT : 0, last = first + RANDOM_PAPERS_KIND_COUNT - 1, kind = first;
     double sum = 0;
-    for (int kind = 0; kind < RANDOM_SCENE_KIND_COUNT; kind++)
-        sum += share_of(kind);
+    for (int i = first; i <= last; i++)
+        sum += share_of(i);
     double left = sum * random_unit(&m->random);
-    int kind = 0;
-    while (kind < RANDOM_SCENE_KIND_COUNT - 1 && left >= share_of(kind))
+    while (kind < last && left >= share_of(kind))
         left -= share_of(kind++);
     return kind;
 }
 
 int random_scene_kind_of(uint64_t seed)
 {
-    scene_maker m = {.random = seed};
+    scene_maker m = {.random = seed, .is_world = seed >= RANDOM_WORLD_SEED};
     return choose_kind(&m);
 }
 
 /* ---- The parts of a scene ----------------------------------------------------------------------------------------------- */
+
+/* How bright a source is, in the papers' integral. */
+static void write_coefficient(scene_maker *m)
+{
+    fprintf(m->file, "\"coefficient\": %.3g", m->distance * maker_between(m, 0.1, 1));
+}
+
+/* In the world integral. */
+static void write_light(scene_maker *m)
+{
+    double core = m->epsilon;
+    if (maker_chance(m, 0.7) || core < m->least_core) {
+        core = fmax(m->least_core, m->distance * maker_magnitude(m, 1e-6, 1e-1));
+        fprintf(m->file, "\"core\": %.17g, ", core);
+    }
+    double narrowest = fmax(2 * core, 1e-2 * m->distance), widest = fmax(narrowest, 10 * m->distance);
+    double reach = maker_chance(m, 0.1) ? core * maker_between(m, 1.01, 2) : maker_magnitude(m, narrowest, widest);
+    fprintf(m->file, "\"reach\": %.17g, ", reach);
+    if (maker_chance(m, 0.3)) fprintf(m->file, "\"sharpness\": %.3g, ", maker_between(m, 1, 4));
+    fprintf(m->file, "\"%s\": %.3g", maker_chance(m, 0.7) ? "brightness" : "coefficient", maker_between(m, 0.1, 1));
+}
 
 static void write_sources(scene_maker *m, int scene_kind)
 {
@@ -82,8 +122,12 @@ static void write_sources(scene_maker *m, int scene_kind)
         for (int i = 0; i < count; i++) {
             fprintf(m->file, i == 0 ? ",\n  \"%s\": [\n    { " : ",\n    { ", source_kinds[k]->list_name);
             /* Of two curves, the first has weights. */
+            m->least_core = 0;
             source_kinds[k]->write(m, first, combination_of(scene_kind) && i == 0);
-            fprintf(m->file, "\"coefficient\": %.3g", m->distance * maker_between(m, 0.1, 1));
+            if (m->is_world)
+                write_light(m);
+            else
+                write_coefficient(m);
             fputs(i + 1 == count ? " }\n  ]" : " }", m->file);
             first = false;
         }
@@ -128,6 +172,15 @@ static void write_depths(scene_maker *m)
     fprintf(m->file, "  \"epsilon\": %.17g", m->epsilon);
 }
 
+/* Closes the camera of the world integral. */
+static void write_world_depths(scene_maker *m)
+{
+    double near_depth = m->distance * maker_magnitude(m, 1e-3, 0.9), far_depth = m->distance * maker_magnitude(m, 1, 1e3);
+    fprintf(m->file, "\"near\": %.17g, \"far\": %.17g },\n", near_depth, far_depth);
+    if (maker_chance(m, 0.3)) fprintf(m->file, "  \"core_pixels\": %.3g,\n", maker_chance(m, 0.4) ? 0 : maker_between(m, 0, 4));
+    fprintf(m->file, "  \"epsilon\": %.17g", m->epsilon);
+}
+
 /* Before, in or behind the core. */
 static void random_opaque_place(scene_maker *m, double place[3])
 {
@@ -168,7 +221,7 @@ char *random_scene_text(uint64_t seed)
 {
     char *text = NULL;
     size_t size;
-    scene_maker m = {.random = seed, .file = open_memstream(&text, &size)};
+    scene_maker m = {.random = seed, .is_world = seed >= RANDOM_WORLD_SEED, .file = open_memstream(&text, &size)};
     if (!m.file) return NULL;
     int kind = choose_kind(&m);
     m.distance = maker_magnitude(&m, 1e-3, 1e5);
@@ -179,7 +232,10 @@ char *random_scene_text(uint64_t seed)
 
     fprintf(m.file, "{\n  \"comment\": \"Random scene %llu.\",\n", (unsigned long long)seed);
     write_camera(&m);
-    write_depths(&m);
+    if (m.is_world)
+        write_world_depths(&m);
+    else
+        write_depths(&m);
     write_sources(&m, kind);
     if (maker_chance(&m, 0.5)) write_opaque(&m);
     fputs("\n}\n", m.file);

@@ -9,10 +9,14 @@
 
 #include <stdint.h>
 
-/* What a scene consists of: a number below SOURCE_KIND_COUNT is a single source of that kind, the others are combinations. */
+/* Seeds from this one on are of scenes of the world integral. */
+#define RANDOM_WORLD_SEED 1000000000000u
+
+/* What a scene consists of, in either integral: a single source of one of the kinds, in their order, or a combination. */
 enum {
     RANDOM_SCENE_COMBINATION_COUNT = 4,
-    RANDOM_SCENE_KIND_COUNT = SOURCE_KIND_COUNT + RANDOM_SCENE_COMBINATION_COUNT,
+    RANDOM_PAPERS_KIND_COUNT = SOURCE_KIND_COUNT + RANDOM_SCENE_COMBINATION_COUNT,
+    RANDOM_SCENE_KIND_COUNT = 2 * RANDOM_PAPERS_KIND_COUNT,
 };
 
 const char *random_scene_kind_name(int scene_kind);
@@ -28,7 +32,10 @@ int random_scene_kind_of(uint64_t seed);
  * from 1e-4 D high (but at least 20 epsilons) to 3 D. epsilon is from 1e-6 D to 1e-1 D: in a single precision's world it is a
  * length relative to the scene that can be small or large, not an absolute one. Sources are from 3e-3 D to 5 D long, the
  * interval's end / start from 1.2 to 1e4, beta from 0.05 to 4, and all of it up to 1e5 D from the world's origin. Every second
- * scene has an opaque plane or box before, in or behind the core. One eye in twenty is within a core. */
+ * scene has an opaque plane or box before, in or behind the core. One eye in twenty is within a core.
+ *
+ * In the world integral, sources have cores from 1e-6 D to 1e-1 D of their own or epsilon, reaches from 1.01 cores to 10 D, and
+ * some of them sharpness; the far plane may be in the midst of the light. */
 char *random_scene_text(uint64_t seed);
 
 #endif

@@ -21,17 +21,11 @@ static double luminance_error(const random_pixel *pixel, double floor)
     return difference == 0 ? 0 : difference / fmax(pixel->truth, floor);
 }
 
-static reference_ray ray_through(const scene_rays *rays, const random_pixel *pixel)
-{
-    double opaque_depth = scene_rays_stored_depth(rays, (double)pixel->depth);
-    return scene_rays_ray(rays, pixel->x + 0.5, pixel->y + 0.5, opaque_depth);
-}
-
 /* How much the truth itself changes when the ray's ends are rounded to single precision. */
 static double truth_sensitivity(reference_workspace *workspace, const scene_rays *rays, const random_pixel *pixel, double floor)
 {
     reference_value sum;
-    reference_ray ray = ray_through(rays, pixel);
+    reference_ray ray = scene_rays_pixel(rays, pixel->x, pixel->y, (double)pixel->depth);
     round_to_float(ray.start);
     round_to_float(ray.end);
     reference_luminance(workspace, &rays->sources, &ray, &sum, NULL);
@@ -44,7 +38,7 @@ static void compute_truth(reference_workspace *workspace, const scene_rays *rays
     for (int i = 0; i < RANDOM_PIXEL_COUNT; i++) {
         random_pixel *pixel = &picture->pixels[i];
         reference_value sum;
-        reference_ray ray = ray_through(rays, pixel);
+        reference_ray ray = scene_rays_pixel(rays, pixel->x, pixel->y, (double)pixel->depth);
         pixel->reliable = reference_luminance(workspace, &rays->sources, &ray, &sum, NULL);
         pixel->truth = sum.luminance;
         largest = fmax(largest, pixel->truth);

@@ -14,10 +14,12 @@ bool scene_rays_create(const demo_scene *scene, int width, int height, scene_ray
 {
     *rays = (scene_rays){
         .camera = scene->camera,
+        .is_world = scene_is_world(scene),
         .interval_start = scene->interval_start,
         .interval_end = scene->interval_end,
         .decay_alpha = scene->decay_alpha,
         .decay_beta = scene->decay_beta,
+        .core_pixels = scene->core_pixels,
         .width = width,
         .height = height,
     };
@@ -62,18 +64,50 @@ static void view_ray(const scene_rays *rays, double x, double y, double origin[3
     }
 }
 
+/* Half of core_pixels pixels at a view depth. */
+static double least_core_at(const scene_rays *rays, double view_depth)
+{
+    double pixel = 2 * half_height(rays) / rays->height * (rays->camera.orthographic ? 1 : view_depth);
+    return 0.5 * rays->core_pixels * pixel;
+}
+
+/* A ray of the world integral begins at the eye or, of an orthographic camera, at the near plane, and its s is the view depth
+ * from there on. */
 reference_ray scene_rays_ray(const scene_rays *rays, double x, double y, double opaque_depth)
 {
-    double origin[3], direction[3], length = rays->interval_end - rays->interval_start;
+    double origin[3], direction[3], start = rays->interval_start, end = rays->interval_end;
     view_ray(rays, x, y, origin, direction);
+    if (rays->is_world) {
+        start = rays->camera.orthographic ? rays->camera.near_depth : 0;
+        end = start + 1;
+    }
+    double s_max = fmax(0, (opaque_depth - start) / (end - start));
     reference_ray ray = {
-        .s_max = fmin(1, fmax(0, (opaque_depth - rays->interval_start) / length)),
+        .s_max = rays->is_world ? s_max : fmin(1, s_max),
+        .is_world = rays->is_world,
         .decay_alpha = rays->decay_alpha,
         .decay_beta = rays->decay_beta,
+        .least_core = {least_core_at(rays, start), least_core_at(rays, end)},
     };
-    vector_add_scaled(origin, rays->interval_start, direction, ray.start);
-    vector_add_scaled(origin, rays->interval_end, direction, ray.end);
+    vector_add_scaled(origin, start, direction, ray.start);
+    vector_add_scaled(origin, end, direction, ray.end);
     return ray;
+}
+
+reference_ray scene_rays_pixel(const scene_rays *rays, int x, int y, double stored)
+{
+    bool is_endless = rays->is_world && stored >= 1;
+    return scene_rays_ray(rays, x + 0.5, y + 0.5, is_endless ? HUGE_VAL : scene_rays_stored_depth(rays, stored));
+}
+
+void scene_rays_depth_range(const scene_rays *rays, double *middle, double *length)
+{
+    double to_target[3];
+    *middle = 0.5 * (rays->interval_start + rays->interval_end);
+    *length = rays->interval_end - rays->interval_start;
+    if (!rays->is_world) return;
+    vector_subtract(rays->camera.target, rays->camera.eye, to_target);
+    *middle = *length = vector_length(to_target);
 }
 
 void scene_rays_project(const scene_rays *rays, const double place[3], double *x, double *y, double *view_depth)

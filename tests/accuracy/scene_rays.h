@@ -15,8 +15,10 @@
 typedef struct scene_rays {
     scene_camera camera;
     double right[3], up[3], forward[3]; /* unit, in the world */
+    bool is_world;                      /* then there is neither interval nor decay */
     double interval_start, interval_end;
     double decay_alpha, decay_beta;
+    double core_pixels;
     int width, height;
     ew_sources_desc sources; /* relative to the eye */
     opaque_mesh mesh;        /* the scene's opaque triangles, relative to the eye */
@@ -29,6 +31,14 @@ void scene_rays_free(scene_rays *rays);
 /* The ray through (x, y) in pixels from the lower left corner (pixel centres are at halves), up to where it meets what lies
  * at the view depth `opaque_depth`, which may be HUGE_VAL. */
 reference_ray scene_rays_ray(const scene_rays *rays, double x, double y, double opaque_depth);
+
+/* The ray through the centre of a pixel, up to what a value of the depth buffer stands for. A cleared buffer's 1 is no surface:
+ * there a ray of the world integral has no end. */
+reference_ray scene_rays_pixel(const scene_rays *rays, int x, int y, double stored);
+
+/* The view depth about which the scene's light is, and by how much it may be nearer or farther: the interval or, in the world
+ * integral, where the camera looks. */
+void scene_rays_depth_range(const scene_rays *rays, double *middle, double *length);
 
 /* Where a place relative to the eye is seen, in pixels from the lower left corner, and its view depth. */
 void scene_rays_project(const scene_rays *rays, const double place[3], double *x, double *y, double *view_depth);

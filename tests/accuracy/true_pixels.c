@@ -21,8 +21,8 @@ static bool compute_pixel(void *user, reference_workspace *workspace, size_t ind
 {
     const truth_job *job = user;
     true_pixel *pixel = &job->pixels[index];
-    double depth = scene_rays_stored_depth(job->rays, job->picture->depth[true_pixel_index(job->picture, pixel)]);
-    reference_ray ray = scene_rays_ray(job->rays, pixel->x + 0.5, pixel->y + 0.5, depth);
+    double stored = (double)job->picture->depth[true_pixel_index(job->picture, pixel)];
+    reference_ray ray = scene_rays_pixel(job->rays, pixel->x, pixel->y, stored);
     reference_value sum;
     pixel->reliable = reference_luminance(workspace, &job->rays->sources, &ray, &sum, NULL);
     pixel->luminance = sum.luminance;

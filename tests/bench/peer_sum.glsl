@@ -1,6 +1,6 @@
 // The integral of a source by samples that peer_place chooses. C puts this file into the shader once for each kind, with EW_SOURCE
 // defined as the kind's block. `others` is for the library's own integrator.
-float ew_integrate(ew_segment segment, EW_SOURCE source, float others)
+float ew_integrate(ew_segment segment, EW_SOURCE source, vec2 chord, float others)
 {
 #ifdef PEER_EQUIANGULAR
     peer_distribution distribution = peer_distribute(segment, peer_nearest(segment, source));

@@ -50,10 +50,8 @@ static void random_source(random_desc *desc, const shader_mix *mix, const random
 {
     const source_kind *kind = source_kinds[k];
     char *source = (char *)desc->lists[k] + i * kind->size;
-    void *points = desc->points[k][i];
     source_light light;
-    if (kind->has_points) memcpy(source + kind->points_offset, &points, sizeof points);
-    kind->make(place, source, mix->weighted ? desc->weights[k][i] : NULL);
+    kind->make(place, source, mix->weighted ? desc->weights[k][i] : NULL, desc->points[k][i]);
     memcpy(&light, source + kind->light_offset, sizeof light);
     random_glow(mix, place, desc->sources.epsilon, &light);
     memcpy(source + kind->light_offset, &light, sizeof light);

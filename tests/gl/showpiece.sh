@@ -13,7 +13,7 @@ for context; do
 done
 
 # Dark pictures would look the same, too, so check that there is light.
-sed 's/"coefficient": [0-9.]*/"coefficient": 0/' "$scene" > dark.json
+sed 's/"brightness": [0-9.]*/"brightness": 0/' "$scene" > dark.json
 "$ew_render" dark.json -o dark.png --size 192x108 > stdout
 "$probe" difference ew-render.png dark.png > difference && read -r largest _ < difference
 [ "$largest" -gt 200 ] || complain "the light adds $largest at most"

@@ -99,13 +99,17 @@ static void write_permutation(const shader_profile *profile, unsigned key)
 /* Every integral that the kinds can have. */
 static void write_integrals(const shader_profile *profile, unsigned kinds, size_t first_count)
 {
-    const unsigned flags[] = {EW_PERMUTATION_WEIGHTS, EW_PERMUTATION_SIMPSON, EW_PERMUTATION_CORE_PIXELS, EW_PERMUTATION_BENDS};
-    for (unsigned set = 0; set < 16; ++set) {
+    const unsigned flags[] = {EW_PERMUTATION_WEIGHTS, EW_PERMUTATION_SIMPSON, EW_PERMUTATION_CORE_PIXELS, EW_PERMUTATION_JOINTS,
+                              EW_PERMUTATION_BENDS};
+    for (unsigned set = 0; set < 32; ++set) {
         unsigned key = 0;
-        for (int i = 0; i < 4; ++i)
+        for (int i = 0; i < 5; ++i)
             if (set & 1u << i) key |= flags[i];
+        /* What is bent has joints, and of all kinds at once the most general path will do. */
+        if (key & EW_PERMUTATION_BENDS && !(key & EW_PERMUTATION_JOINTS)) continue;
+        if (key & EW_PERMUTATION_JOINTS && !(key & EW_PERMUTATION_BENDS) && kind_count(kinds) > 1) continue;
         if (key & EW_PERMUTATION_WEIGHTS && !takes_weights(kinds)) continue;
-        if (key & EW_PERMUTATION_BENDS && !takes_bends(kinds)) continue;
+        if (key & EW_PERMUTATION_JOINTS && !takes_bends(kinds)) continue;
         for (int field = 0; field < FIELD_COUNT; ++field)
             write_permutation(profile, with_kinds(key | fields[field], kinds, first_count));
     }
@@ -141,7 +145,7 @@ static void write_passes(const shader_profile *profile)
             for (int field = 0; field < FIELD_COUNT; ++field) {
                 unsigned key = depths[depth] | outputs[output] | fields[field];
                 write_fragment_shader(profile, key);
-                key |= EW_PERMUTATION_WEIGHTS | EW_PERMUTATION_BENDS | EW_PERMUTATION_CORE_PIXELS;
+                key |= EW_PERMUTATION_WEIGHTS | EW_PERMUTATION_JOINTS | EW_PERMUTATION_BENDS | EW_PERMUTATION_CORE_PIXELS;
                 write_fragment_shader(profile, with_kinds(key, all_kinds, EW_ANY_COUNT));
                 write_fragment_shader(profile, with_kinds(key | EW_PERMUTATION_SIMPSON, all_kinds, 1));
             }
@@ -172,7 +176,7 @@ static void write_include(const shader_profile *profile, unsigned key)
 /* Without sources, of the kinds one by one, and of all at once with all that they may have. */
 static void write_includes(const shader_profile *profile)
 {
-    const unsigned extras = EW_PERMUTATION_WEIGHTS | EW_PERMUTATION_BENDS | EW_PERMUTATION_CORE_PIXELS;
+    const unsigned extras = EW_PERMUTATION_WEIGHTS | EW_PERMUTATION_JOINTS | EW_PERMUTATION_BENDS | EW_PERMUTATION_CORE_PIXELS;
     for (unsigned simpson = 0; simpson <= EW_PERMUTATION_SIMPSON; simpson += EW_PERMUTATION_SIMPSON)
         for (int field = 0; field < FIELD_COUNT; ++field) {
             unsigned flags = simpson | fields[field];

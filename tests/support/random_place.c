@@ -39,6 +39,15 @@ void random_direction(const random_place *place, double world[3])
         world[i] = length * (along_an_axis ? place->axes[axis][i] : random_between(place->random, -1, 1));
 }
 
+size_t random_weights(const random_place *place, double *weights)
+{
+    size_t count = 1 + random_index(place->random, MAX_RANDOM_WEIGHTS);
+    for (size_t i = 0; i < MAX_RANDOM_WEIGHTS; i++)
+        weights[i] = place->extreme ? random_power_of_ten(place->random, -9, 3) * (double)random_index(place->random, 3)
+                                    : random_unit(place->random);
+    return count;
+}
+
 void random_light(const random_place *place, double *coefficient, double color[3])
 {
     *coefficient = place->extreme ? random_power_of_ten(place->random, -9, 9) : random_between(place->random, 0, 5);

@@ -6,6 +6,7 @@
 #define RANDOM_PLACE_H
 
 #include <stdbool.h>
+#include <stddef.h>
 #include <stdint.h>
 
 enum { MAX_RANDOM_WEIGHTS = 6, MAX_RANDOM_POINTS = 10 };
@@ -27,6 +28,9 @@ void random_position(const random_place *place, double world[3]);
 
 /* Not a unit vector; some of the extreme ones are along an axis of the view. */
 void random_direction(const random_place *place, double world[3]);
+
+/* Weights, MAX_RANDOM_WEIGHTS at the most. Returns how many. */
+size_t random_weights(const random_place *place, double *weights);
 
 /* A coefficient and a color. */
 void random_light(const random_place *place, double *coefficient, double color[3]);

@@ -50,12 +50,16 @@ void maker_write_vector(scene_maker *maker, const char *key, const double vector
     fprintf(maker->file, "\"%s\": [%.17g, %.17g, %.17g], ", key, vector[0], vector[1], vector[2]);
 }
 
-void maker_write_weights(scene_maker *maker)
+void maker_write_weights(scene_maker *maker, bool is_closed)
 {
     static const int counts[] = {1, 2, 3, 4, 5, 7, 16, 64};
     int count = counts[random_index(&maker->random, sizeof counts / sizeof *counts)];
     fputs("\"weights\": [", maker->file);
-    for (int i = 0; i < count; i++)
-        fprintf(maker->file, "%s%.3g", i ? ", " : "", maker_chance(maker, 0.2) ? 0 : maker_between(maker, 0, 1));
+    double first = 0;
+    for (int i = 0; i < count; i++) {
+        double weight = maker_chance(maker, 0.2) ? 0 : maker_between(maker, 0, 1);
+        if (i == 0) first = weight;
+        fprintf(maker->file, "%s%.3g", i ? ", " : "", is_closed && i == count - 1 ? first : weight);
+    }
     fputs("], ", maker->file);
 }

@@ -11,8 +11,10 @@
 typedef struct scene_maker {
     uint64_t random;
     FILE *file;      /* the scene file */
+    bool is_world;   /* of the world integral */
     double distance; /* from the eye to `place` */
     double epsilon;
+    double least_core; /* of the source that is being written, set by its kind */
     double eye[3];
     double place[3];   /* on the first source, and looked at */
     double forward[3]; /* from the eye to the place, unit */
@@ -34,7 +36,7 @@ void maker_source_place(scene_maker *maker, bool first, double place[3]);
 
 /* Writes "key": [x, y, z] and a comma. */
 void maker_write_vector(scene_maker *maker, const char *key, const double vector[3]);
-/* Writes "weights": from one to many, some of them 0, and a comma. */
-void maker_write_weights(scene_maker *maker);
+/* Writes "weights": from one to many, some of them 0, and a comma. On what is closed, the last is the first. */
+void maker_write_weights(scene_maker *maker, bool is_closed);
 
 #endif

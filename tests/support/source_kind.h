@@ -82,17 +82,20 @@ typedef struct source_kind {
 
     /* Finds the place at u in [0, 1] of the source's bright core, or of the part that a camera sees. */
     void (*place)(const void *source, const source_view *view, double u, double place[3]);
-    /* How often a random scene has one source of this kind and no other, relative to the other kinds of scenes. */
+    /* How often a random scene of the papers' integral has one source of this kind and no other, relative to the other kinds
+     * of scenes; and one of the world integral, which has a name of its own. */
     double scene_share;
+    double world_scene_share;
+    const char *world_scene_name;
     /* Writes what a scene file has for a random source, but for its coefficient. `first`: it goes through the place that the
      * camera looks at. */
     void (*write)(scene_maker *maker, bool first, bool weighted);
 
     /* ---- Hostile input ---- */
 
-    /* Fills a source that is all zero, but for its list of points, which has room for MAX_RANDOM_POINTS. `weights` has room for
-     * MAX_RANDOM_WEIGHTS numbers; NULL: it shall have none. */
-    void (*make)(const random_place *place, void *source, double *weights);
+    /* Fills a source that is all zero. `weights` has room for MAX_RANDOM_WEIGHTS numbers; NULL: it shall have none. `points`
+     * has room for MAX_RANDOM_POINTS. */
+    void (*make)(const random_place *place, void *source, double *weights, double (*points)[3]);
     /* Lists the numbers of a source and returns how many runs they are. NULL: the source consists of doubles alone. */
     size_t (*numbers)(void *source, number_run runs[MAX_SOURCE_RUNS]);
 } source_kind;

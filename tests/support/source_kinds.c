@@ -10,6 +10,21 @@ const source_kind *const source_kinds[SOURCE_KIND_COUNT] = {
 #undef KIND_ADDRESS
 };
 
+#define ASSERT_LIGHT_MEMBER(type, member)                                                                                      \
+    _Static_assert(offsetof(type, member) - offsetof(type, coefficient) == offsetof(source_light, member),                     \
+                   #type " has " #member " elsewhere than source_light")
+#define ASSERT_LIGHT(type)                                                                                                     \
+    ASSERT_LIGHT_MEMBER(type, color);                                                                                          \
+    ASSERT_LIGHT_MEMBER(type, brightness);                                                                                     \
+    ASSERT_LIGHT_MEMBER(type, core);                                                                                           \
+    ASSERT_LIGHT_MEMBER(type, reach);                                                                                          \
+    ASSERT_LIGHT_MEMBER(type, sharpness)
+ASSERT_LIGHT(ew_point);
+ASSERT_LIGHT(ew_line);
+ASSERT_LIGHT(ew_torus);
+ASSERT_LIGHT(ew_curve);
+ASSERT_LIGHT(ew_path);
+
 /* ---- Reading ------------------------------------------------------------------------------------------------------------ */
 
 static const void *source_list(const source_kind *kind, const ew_sources_desc *sources)

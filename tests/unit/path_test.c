@@ -178,11 +178,11 @@ static void every_kind_follows_its_definition(void **state)
     srand(1);
     for (size_t n = 2; n <= 12; ++n) {
         check_kind(EW_PATH_POLYLINE, n, 0, polyline, 1e-13);
-        check_kind(EW_PATH_CATMULL_ROM, n, 0, catmull_rom, core / 300);
-        check_kind(EW_PATH_BEZIER, 3 * (n - 1) + 1, 0, bezier, core / 300);
+        check_kind(EW_PATH_CATMULL_ROM, n, 0, catmull_rom, 3e-4 * core);
+        check_kind(EW_PATH_BEZIER, 3 * (n - 1) + 1, 0, bezier, 3e-4 * core);
         if (n == 2) continue;
         check_kind(EW_PATH_POLYLINE, n, 1, polyline, 1e-13);
-        check_kind(EW_PATH_CATMULL_ROM, n, 1, catmull_rom, core / 300);
+        check_kind(EW_PATH_CATMULL_ROM, n, 1, catmull_rom, 3e-4 * core);
         check_kind(EW_PATH_BSPLINE, n, 0, bspline, 1e-13);
         check_kind(EW_PATH_BSPLINE, n, 1, bspline, 1e-13);
     }
@@ -198,7 +198,7 @@ static void cubics_have_no_more_pieces_than_they_need(void **state)
         make_random(&made, EW_PATH_BEZIER, 4, 0);
         double fewer = (double)made.count / ((double)made.count - 1);
         assert_true(made.count > 1);
-        assert_true(largest_distance(&made, bezier) * fewer * fewer * fewer > 0.99 * core / 300);
+        assert_true(largest_distance(&made, bezier) * fewer * fewer * fewer > 0.99 * 3e-4 * core);
     }
 }
 

@@ -235,8 +235,8 @@ static void more_sources_than_the_context_holds_are_refused(void **state)
     (void)state;
     field f;
     make_field(&f);
-    /* Two of each take 2 (2 + 3 + 3 + 6 + 4) units; 2 curves and 2 paths with 4 weights each make 2 pieces of weights each; and
-     * 2 paths have 3 straight pieces of 2 units each: 56 together. */
+    /* Two of each take 2 (2 + 3 + 3 + 6 + 5) units; 2 curves and 2 paths with 4 weights each make 2 pieces of weights each; and
+     * 2 paths have 3 straight pieces of 2 units each: 58 together. */
     ew_error error = {EW_OK, ""};
     ew_sources taken = {0};
     static const struct {
@@ -246,22 +246,22 @@ static void more_sources_than_the_context_holds_are_refused(void **state)
                  {9, "2 lines"},
                  {15, "2 tori"},
                  {27, "2 curves"},
-                 {35, "2 paths"},
-                 {43, "8 pieces of weights"},
-                 {55, "12 units of paths' pieces"}};
+                 {37, "2 paths"},
+                 {45, "8 pieces of weights"},
+                 {57, "12 units of paths' pieces"}};
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; ++i)
         check_refused(ew_sources_set(&taken, &f.desc, cases[i].capacity, &ew_default_allocator, &error), &error,
                       EW_ERROR_TOO_MANY_SOURCES, cases[i].refused);
-    assert_int_equal(ew_sources_set(&taken, &f.desc, 56, &ew_default_allocator, &error), EW_OK);
-    assert_int_equal(taken.data_size, 56 * sizeof(ew_vec4));
+    assert_int_equal(ew_sources_set(&taken, &f.desc, 58, &ew_default_allocator, &error), EW_OK);
+    assert_int_equal(taken.data_size, 58 * sizeof(ew_vec4));
     ew_sources_destroy(&taken, &ew_default_allocator);
 
     /* A core of one source's own makes the blocks of all one unit longer. */
     f.lines[0].core = 0.5;
-    check_refused(ew_sources_set(&taken, &f.desc, 65, &ew_default_allocator, &error), &error, EW_ERROR_TOO_MANY_SOURCES,
+    check_refused(ew_sources_set(&taken, &f.desc, 67, &ew_default_allocator, &error), &error, EW_ERROR_TOO_MANY_SOURCES,
                   "units of paths' pieces");
-    assert_int_equal(ew_sources_set(&taken, &f.desc, 66, &ew_default_allocator, &error), EW_OK);
-    assert_int_equal(taken.data_size, 66 * sizeof(ew_vec4));
+    assert_int_equal(ew_sources_set(&taken, &f.desc, 68, &ew_default_allocator, &error), EW_OK);
+    assert_int_equal(taken.data_size, 68 * sizeof(ew_vec4));
     ew_sources_destroy(&taken, &ew_default_allocator);
 
     make_field(&f);

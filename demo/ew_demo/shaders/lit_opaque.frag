@@ -3,6 +3,9 @@
 // The court's stone: moonlight with shadows, skylight with ambient occlusion, and the light of the energy. Every shape is a box
 // with a rounding radius, and a sphere is a box of no extent. With these, shadow and occlusion need no maps.
 
+// Of the stone's tone mapping. The energy is drawn over it as the library gives it.
+const float EXPOSURE = 1.6;
+
 const int MAX_SHAPES = 64;
 const int MAX_LIGHTS = 64;
 
@@ -114,13 +117,17 @@ void main()
         float distance2 = dot(to_light, to_light) + light_position[i].w * light_position[i].w;
         vec3 direction = to_light * inversesqrt(distance2);
         vec3 light = light_color[i].rgb / distance2;
-        diffuse += light * max(0.0, dot(normal, direction)) * mix(0.35, 1.0, open);
-        gloss += light * pow(max(0.0, dot(normal, normalize(direction + to_eye))), 40.0);
+        float facing = max(0.0, dot(normal, direction));
+        diffuse += light * facing * mix(0.35, 1.0, open);
+        gloss += light * min(10.0 * facing, 1.0) * pow(max(0.0, dot(normal, normalize(direction + to_eye))), 40.0);
     }
     float fresnel = 0.04 + 0.5 * pow(1.0 - max(0.0, dot(normal, to_eye)), 4.0);
     vec3 color = surface_color * joints(surface_position, normal) * diffuse + fresnel * open * gloss;
+    vec3 shown = 1.0 - exp(-EXPOSURE * color);
+    // The reflection is as it is shown, light included.
     if (reflects && surface_position.y < 0.001 && normal.y > 0.9)
-        color += (0.3 + 0.7 * fresnel) * joints(surface_position, normal) * mirrored();
-    float haze = 1.0 - exp(-pow(length(eye - surface_position) / 34.0, 2.2));
-    result = vec4(mix(color, background, haze), 1.0);
+        shown += (1.0 - shown) * (0.3 + 0.7 * fresnel) * joints(surface_position, normal) * mirrored();
+    // The court ends in darkness, wherever the eye is.
+    float dusk = 1.0 - exp(-pow(length(surface_position.xz) / 30.0, 3.0));
+    result = vec4(mix(shown, background, dusk), 1.0);
 }

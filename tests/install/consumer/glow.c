@@ -12,8 +12,13 @@ static ew_gl_function get_proc_address(void *user, const char *name)
 
 ew_result create_glow(ew_error *error) /* once, with the game's context current */
 {
-    ew_point orb = {.position = {0, 1, 0}, .coefficient = 0.5, .color = {0.2, 0.5, 1}};
-    ew_sources_desc sources = {.points = &orb, .point_count = 1, .epsilon = 0.001};
+    /* Lengths are in the game's own unit; here it is the metre. */
+    ew_point orb = {
+        .position = {-2, 1.2, 0}, .core = 0.15, .reach = 1.2, .brightness = 3, .sharpness = 2, .color = {0.1, 0.4, 1}};
+    const double ends[][3] = {{-2, 1.2, 0}, {3, 1.2, 0}};
+    ew_path beam = {
+        .points = ends, .point_count = 2, .core = 0.03, .reach = 0.6, .brightness = 3, .sharpness = 2, .color = {0.1, 0.4, 1}};
+    ew_sources_desc sources = {.points = &orb, .point_count = 1, .paths = &beam, .path_count = 1};
     ew_result result = ew_create_effect(&(ew_effect_desc){.get_proc_address = get_proc_address}, &effect, error);
     return result == EW_OK ? ew_set_sources(effect, &sources, error) : result;
 }
@@ -24,11 +29,11 @@ ew_result draw_glow(const double view[16], const double projection[16], unsigned
     ew_frame_desc frame = EW_FRAME_DEFAULTS;
     memcpy(frame.view, view, sizeof frame.view);
     memcpy(frame.projection, projection, sizeof frame.projection);
-    frame.interval_start = 2; /* the glow lies between these two depths */
-    frame.interval_end = 20;
     frame.framebuffer = framebuffer;
-    frame.depth_texture = depth_texture;
     frame.viewport_width = width;
     frame.viewport_height = height;
+    frame.encoding = EW_ENCODING_SRGB_8BIT; /* or what else the framebuffer's format is */
+    frame.output = EW_OUTPUT_SOFT;          /* glow that never clips */
+    frame.depth_texture = depth_texture;
     return ew_draw(effect, &frame, error);
 }

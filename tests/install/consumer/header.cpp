@@ -7,7 +7,7 @@ int main()
 {
 #if __cplusplus >= 202002L
     ew_frame_desc frame = EW_FRAME_DEFAULTS;
-    if (frame.interval_end != 100) return 1;
+    if (frame.exposure != 1) return 1;
 #endif
     double weights[2];
     ew_fill_pulse_weights(25, weights, 2);

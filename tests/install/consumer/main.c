@@ -1,4 +1,5 @@
-/* A game of one frame, built against the installed library: draws the README's glow and looks whether light came out. */
+/* A game of one frame, built against the installed library: draws the README's glow and looks whether light came out, and where
+ * it ends. */
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
 #include <energywave.h>
@@ -60,12 +61,16 @@ int main(void)
     if (create_glow(&error) != EW_OK || draw_glow(view, projection, framebuffer, 0, SIZE, SIZE, &error) != EW_OK)
         return fail(error.text);
 
-    unsigned char center[4] = {0}, corner[4] = {0};
-    glReadPixels(SIZE / 2, SIZE / 2, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, center);
+    /* The orb's centre is 4/10 of the way from the picture's middle to its left edge, and 1/25 above the middle. */
+    unsigned char orb[4] = {0}, beam[4] = {0}, corner[4] = {0};
+    glReadPixels(SIZE * 3 / 10, SIZE * 13 / 25, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, orb);
+    glReadPixels(SIZE * 6 / 10, SIZE * 13 / 25, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, beam);
     glReadPixels(0, 0, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, corner);
-    printf("centre %d %d %d, corner %d %d %d\n", center[0], center[1], center[2], corner[0], corner[1], corner[2]);
+    printf("orb %d %d %d, beam %d %d %d, corner %d %d %d\n", orb[0], orb[1], orb[2], beam[0], beam[1], beam[2], corner[0],
+           corner[1], corner[2]);
     if (glGetError() != GL_NO_ERROR) return fail("GL reports an error");
-    if (!(center[2] > corner[2] && corner[2] > 0)) return fail("the orb does not glow outwards from its centre");
-    if (!(corner[2] > corner[0])) return fail("the glow is not blue");
+    if (!(orb[2] > 128 && beam[2] > 64)) return fail("the orb or its beam does not glow");
+    if (!(orb[2] > orb[0])) return fail("the glow is not blue");
+    if (corner[0] != 0 || corner[1] != 0 || corner[2] != 0) return fail("there is light beyond the reach");
     return EXIT_SUCCESS;
 }

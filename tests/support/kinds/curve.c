@@ -133,7 +133,7 @@ static void write(scene_maker *maker, bool first, bool weighted)
         fprintf(maker->file, "[%.17g, %.17g, %.17g]%s", polynomial[i][0], polynomial[i][1], polynomial[i][2],
                 i < 2 ? ", " : "");
     fprintf(maker->file, "], \"domain\": [%.17g, %.17g], ", domain[0], domain[1]);
-    if (weighted) maker_write_weights(maker);
+    if (weighted) maker_write_weights(maker, false);
 }
 
 /* ---- Hostile input ------------------------------------------------------------------------------------------------------ */
@@ -156,29 +156,22 @@ static void degenerate(uint64_t *random, double points[3][3])
     }
 }
 
-static void make_weights(const random_place *at, ew_curve *curve, double *weights)
-{
-    curve->weights = weights;
-    curve->weight_count = 1 + random_index(at->random, MAX_RANDOM_WEIGHTS);
-    for (size_t i = 0; i < MAX_RANDOM_WEIGHTS; i++)
-        weights[i] = at->extreme ? random_power_of_ten(at->random, -9, 3) * (double)random_index(at->random, 3)
-                                 : random_unit(at->random);
-}
-
-static void make(const random_place *at, void *source, double *weights)
+static void make(const random_place *at, void *source, double *weights, double (*points)[3])
 {
     ew_curve *curve = source;
-    double points[3][3];
+    double control[3][3];
+    (void)points;
     for (int i = 0; i < 3; i++)
-        random_position(at, points[i]);
-    if (at->extreme) degenerate(at->random, points);
-    bezier(points, curve->polynomial, curve->domain);
+        random_position(at, control[i]);
+    if (at->extreme) degenerate(at->random, control);
+    bezier(control, curve->polynomial, curve->domain);
     if (at->extreme && random_chance(at->random, 0.2)) {
         curve->domain[0] = random_between(at->random, -2, 2);
         curve->domain[1] = curve->domain[0] + random_power_of_ten(at->random, -6, 1);
     }
     random_light(at, &curve->coefficient, curve->color);
-    if (weights) make_weights(at, curve, weights);
+    curve->weights = weights;
+    if (weights) curve->weight_count = random_weights(at, weights);
 }
 
 static size_t numbers(void *source, number_run runs[MAX_SOURCE_RUNS])
@@ -206,6 +199,8 @@ const source_kind curve_kind = {
     .seed_count = SEED_COUNT,
     .place = place,
     .scene_share = 0.2,
+    .world_scene_name = "world curve",
+    .world_scene_share = 0.14,
     .write = write,
     .make = make,
     .numbers = numbers,

@@ -38,10 +38,10 @@ static void write(scene_maker *maker, bool first, bool weighted)
     maker_write_vector(maker, "direction", direction);
 }
 
-static void make(const random_place *at, void *source, double *weights)
+static void make(const random_place *at, void *source, double *weights, double (*points)[3])
 {
     ew_line *line = source;
-    (void)weights;
+    (void)weights, (void)points;
     random_position(at, line->position);
     random_direction(at, line->direction);
     random_light(at, &line->coefficient, line->color);
@@ -59,6 +59,8 @@ const source_kind line_kind = {
     .nearest = nearest,
     .place = place,
     .scene_share = 0.08,
+    .world_scene_name = "world line",
+    .world_scene_share = 0.1,
     .write = write,
     .make = make,
 };

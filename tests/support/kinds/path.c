@@ -24,8 +24,9 @@ static void place(const void *source, const source_view *view, double u, double 
             s * s * s * cubic[0][i] + 3 * s * s * t * cubic[1][i] + 3 * s * t * t * cubic[2][i] + t * t * t * cubic[3][i];
 }
 
-/* Steps of about the same length, some of them none, back to where the one before came from, or straight on. */
-static void random_points(scene_maker *maker, double extent, double points[][3], size_t count)
+/* Steps of about the same length, some of them straight on; and, unless there are weights, some of them none, or back to where
+ * the one before came from: there, which weight counts would be undefined. */
+static void random_points(scene_maker *maker, double extent, bool weighted, double points[][3], size_t count)
 {
     double step[3] = {0};
     for (size_t i = 0; i < count; i++) {
@@ -33,7 +34,7 @@ static void random_points(scene_maker *maker, double extent, double points[][3],
         vector_copy(step, previous);
         maker_offset(maker, extent, step);
         for (int k = 0; k < 3 && i > 1; k++)
-            step[k] = choice < 0.04 ? 0 : choice < 0.08 ? -previous[k] : choice < 0.16 ? previous[k] : step[k];
+            step[k] = choice < 0.08 ? previous[k] : choice > 0.12 || weighted ? step[k] : choice > 0.1 ? 0 : -previous[k];
         for (int k = 0; k < 3; k++)
             points[i][k] = i == 0 ? 0 : points[i - 1][k] + step[k];
     }
@@ -44,6 +45,15 @@ static size_t random_point_count(scene_maker *maker, ew_path_kind kind, bool is_
     size_t count = 2 + random_index(&maker->random, maker_chance(maker, 0.1) ? 24 : 6);
     if (kind == EW_PATH_BEZIER) return 1 + 3 * (1 + count % 3);
     return count == 2 && (is_closed || kind == EW_PATH_BSPLINE) ? 3 : count;
+}
+
+/* The library takes no more than 600 quadratic pieces for a path. Some 200 are as close as it wants to cubics, whose third
+ * differences are up to 16 steps long, if the core is as wide as this. */
+static double least_core(const ew_path *path, double step)
+{
+    bool is_cubic = path->kind == EW_PATH_BEZIER || path->kind == EW_PATH_CATMULL_ROM;
+    double pieces = 200 / (double)path_span_count(path);
+    return is_cubic ? 230 * step / (pieces * pieces * pieces) : 0;
 }
 
 static void write_path(scene_maker *maker, const ew_path *path)
@@ -62,7 +72,9 @@ static void write(scene_maker *maker, bool first, bool weighted)
     ew_path path = {.kind = (ew_path_kind)random_index(&maker->random, 4), .points = (const double(*)[3])points};
     path.is_closed = maker_chance(maker, 0.3) && path.kind != EW_PATH_BEZIER;
     path.point_count = random_point_count(maker, path.kind, path.is_closed);
-    random_points(maker, maker_source_extent(maker), points, path.point_count);
+    double extent = maker_source_extent(maker);
+    random_points(maker, extent, weighted, points, path.point_count);
+    maker->least_core = least_core(&path, extent);
     maker_source_place(maker, first, position);
     /* Joints and ends are looked at more often than their share. */
     double u = maker_between(maker, 0, 1), spans = (double)path_span_count(&path);
@@ -71,7 +83,7 @@ static void write(scene_maker *maker, bool first, bool weighted)
         for (int k = 0; k < 3; k++)
             points[i][k] += position[k] - on_path[k];
     write_path(maker, &path);
-    if (weighted) maker_write_weights(maker);
+    if (weighted) maker_write_weights(maker, path.is_closed);
 }
 
 /* ---- Hostile input ------------------------------------------------------------------------------------------------------ */
@@ -100,10 +112,10 @@ static void make_weights(const random_place *at, ew_path *path, double *weights)
                                  : random_unit(at->random);
 }
 
-static void make(const random_place *at, void *source, double *weights)
+static void make(const random_place *at, void *source, double *weights, double (*points)[3])
 {
     ew_path *path = source;
-    double(*points)[3] = (double(*)[3])path->points; /* the caller's */
+    path->points = (const double(*)[3])points;
     path->kind = (ew_path_kind)random_index(at->random, 4);
     path->is_closed = path->kind != EW_PATH_BEZIER && random_chance(at->random, 0.3);
     path->point_count = 3 + random_index(at->random, MAX_RANDOM_POINTS - 2);
@@ -112,6 +124,8 @@ static void make(const random_place *at, void *source, double *weights)
     for (size_t k = 0; k < path->point_count; k++)
         random_position(at, points[k]);
     if (at->extreme) degenerate(at->random, points, path->point_count);
+    /* Of thin cores, a path may need more pieces than the library takes. */
+    if (!at->extreme) path->core = 0.1 * (at->end - at->start);
     random_light(at, &path->coefficient, path->color);
     if (weights) make_weights(at, path, weights);
 }
@@ -134,6 +148,8 @@ const source_kind path_kind = {
     .points_offset = offsetof(ew_path, points),
     .point_count_offset = offsetof(ew_path, point_count),
     .place = place,
+    .world_scene_name = "world path",
+    .world_scene_share = 0.24,
     .write = write,
     .make = make,
     .numbers = numbers,

@@ -25,10 +25,10 @@ static void write(scene_maker *maker, bool first, bool weighted)
     maker_write_vector(maker, "position", position);
 }
 
-static void make(const random_place *at, void *source, double *weights)
+static void make(const random_place *at, void *source, double *weights, double (*points)[3])
 {
     ew_point *point = source;
-    (void)weights;
+    (void)weights, (void)points;
     random_position(at, point->position);
     random_light(at, &point->coefficient, point->color);
 }
@@ -41,6 +41,8 @@ const source_kind point_kind = {
     .nearest = nearest,
     .place = place,
     .scene_share = 0.06,
+    .world_scene_name = "world point",
+    .world_scene_share = 0.08,
     .write = write,
     .make = make,
 };

@@ -98,10 +98,10 @@ static void write(scene_maker *maker, bool first, bool weighted)
 
 /* ---- Hostile input ------------------------------------------------------------------------------------------------------ */
 
-static void make(const random_place *at, void *source, double *weights)
+static void make(const random_place *at, void *source, double *weights, double (*points)[3])
 {
     ew_torus *torus = source;
-    (void)weights;
+    (void)weights, (void)points;
     random_position(at, torus->center);
     random_direction(at, torus->axis);
     torus->radius =
@@ -124,6 +124,8 @@ const source_kind torus_kind = {
     .kink = kink,
     .place = place,
     .scene_share = 0.16,
+    .world_scene_name = "world torus",
+    .world_scene_share = 0.12,
     .write = write,
     .make = make,
 };

@@ -6,6 +6,9 @@
 
 #include <stdlib.h>
 
+/* How close quadratic pieces are to a cubic one, in radii of the core. */
+#define CUBIC_TOLERANCE 1e-4
+
 enum { SEED_COUNT = 5, MAX_PIECES_OF_A_SPAN = 4096 };
 
 /* ---- Spans -------------------------------------------------------------------------------------------------------------- */
@@ -167,7 +170,7 @@ static size_t piece_count_of(double cubic[4][3], bool is_cubic, double core)
     if (!is_cubic) return 1;
     for (int k = 0; k < 3; k++)
         difference[k] = cubic[3][k] - cubic[0][k] + 3 * (cubic[1][k] - cubic[2][k]);
-    double count = ceil(cbrt(sqrt(3) / 36 * vector_length(difference) / (1e-3 * core)));
+    double count = ceil(cbrt(sqrt(3) / 36 * vector_length(difference) / (CUBIC_TOLERANCE * core)));
     return count < 1 ? 1 : count > MAX_PIECES_OF_A_SPAN ? MAX_PIECES_OF_A_SPAN : (size_t)count;
 }
 
@@ -212,15 +215,14 @@ static bool add_span(path_parts *parts, const ew_path *path, size_t span, double
     return true;
 }
 
-/* A joint at the start of each piece but an open path's first. Where a closed path meets itself its weight may jump: there the
- * smaller counts, so that the field stays positive. */
+/* A joint at the start of each piece but an open path's first, with the weight there. Where a closed path meets itself, and its
+ * weight may jump, that is the first. */
 static void add_joints(path_parts *parts, const ew_path *path)
 {
     for (size_t i = !path->is_closed; i < parts->piece_count; i++) {
         const path_piece *piece = &parts->pieces[i];
         path_joint *joint = &parts->joints[parts->joint_count++];
         *joint = (path_joint){.weight = reference_weight(path->weights, path->weight_count, piece->first_u)};
-        if (i == 0) joint->weight = fmin(joint->weight, reference_weight(path->weights, path->weight_count, 1));
         vector_copy(piece->arc.polynomial[0], joint->point.position);
     }
 }

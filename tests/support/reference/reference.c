@@ -134,6 +134,7 @@ static reference_value integrate_path(reference_workspace *workspace, const ew_p
         sum.luminance -= joint.luminance;
         sum.error += joint.error;
     }
+    if (sum.luminance < -sum.error) return (reference_value){0};
     sum.luminance = fmax(0, sum.luminance);
     return sum;
 }
