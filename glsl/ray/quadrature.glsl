@@ -96,7 +96,7 @@ vec2 ew_find_core(float b2, float k, float s0, vec4 glow)
     float a = k - growth2;
     float root2 = middle * middle + a * excess;
     float reach_of_core = middle + sqrt(max(root2, 0.0));
-    vec2 core = vec2(-excess / max(reach_of_core, 1e-30), a > 0.0 ? reach_of_core / a : 1e15);
+    vec2 core = vec2(max(-excess / max(reach_of_core, 1e-30), -1e15), a > 0.0 ? reach_of_core / a : 1e15);
     if (root2 < 0.0) core = a > 0.0 ? vec2(0.0) : vec2(-1e15, 1e15);
     return core;
 }
