@@ -29,8 +29,9 @@ float ew_parameter_of_depth(vec2 pixel, float depth)
     bool is_number = (floatBitsToInt(depth) & 0x7fffffff) <= 0x7f800000;
     float inside = before_end > 0.0 ? behind_start / (behind_start + before_end) : 1.0;
 #ifdef EW_WORLD
-    // The depth of the far plane is that of no surface: what lies beyond it shines.
-    if (ew_frame.depth_scale.y > 0.0 ? depth >= 1.0 : depth <= 0.0) inside = 1.0;
+    // The depth of the far plane is that of no surface: what lies beyond it shines, S included.
+    bool is_open = ew_frame.depth_scale.y > 0.0 ? depth >= 1.0 : depth <= 0.0;
+    if (is_number && is_open) return 1.0;
 #endif
     return is_number && behind_start > 0.0 ? inside : 0.0;
 }
