@@ -87,26 +87,37 @@ Each picture stands above the command that drew it. `./run gallery` redraws all 
 
 ## The court
 
-`./run demo` shows the court in a window. You can fly through it, and switch between the integrators by keys while it runs. The
-beams change their shape in every frame (figure 5.5), and pulses run along them.
+`./run demo` shows the court in a window. You can fly through it, and switch between the integrators by keys while it runs. Every
+light is of the world integral, in metres, and drawn with the composite `soft` as the library gives it: the demo grades nothing.
+The stone beneath it is the demo's own, with its light, shadows, reflection and tone mapping.
 
-![The court: beams charge an orb, and the orb fires](gallery/court.webp)
+![The court: lightning charges an orb, the orb fires a beam, and a ring spreads](gallery/court.webp)
 
     ew-demo --offscreen --fps 15 --frames 0-149 --size 480x270 --samples 2 -o court-%03d.png
 TEXT
 
-row 'adaptive' 'left: adaptive; right: Simpson, 64 divisions'
-picture court-charging ew-demo --offscreen --frames 148 --size 480x270 --samples 2
-picture court-split ew-demo --offscreen --frames 148 --size 480x270 --samples 2 --split simpson:64
+row 'a slash' 'charged' 'half a second after the shot'
+picture court-slash ew-demo --offscreen --frames 97 --size 480x270 --samples 2
+picture court-charged ew-demo --offscreen --frames 148 --size 480x270 --samples 2
+picture court-fired ew-demo --offscreen --frames 165 --size 480x270 --samples 2
 end_row
+
 text << 'TEXT'
-The maps below show the court half a second after the shot. On the left is the number of evaluations along each pixel's ray,
-from black (0) to pale yellow (4096). On the right is the error of its luminance, from black (1e-6 or less) to pale yellow (0.1
-or more), relative to Simpson's rule with 16384 divisions.
+A flight from 100 metres away into the orb. Light looks the same from everywhere: it only grows. A core is at least 1.5 pixels
+wide, and pales where it would be thinner.
 TEXT
-row 'evaluations: adaptive, then Simpson, 256 divisions' 'errors: adaptive, then Simpson, 256 divisions'
-picture court-evaluations ew-demo --offscreen --frames 165 --size 240x135 --split simpson:256 --show evaluations
-picture court-error ew-demo --offscreen --frames 165 --size 240x135 --split simpson:256 --show error
+row '100 m' '32 m' '10 m' '4 m' '1 m'
+for frame in 0 50 100 140 200; do
+    picture court-flight-$frame ew-demo --offscreen --flight --frames $frame --size 320x180 --samples 2
+done
+end_row
+
+text << 'TEXT'
+How often each pixel's ray was evaluated half a second after the shot, from black (0) to pale yellow (4096): light costs only
+where it reaches.
+TEXT
+row 'adaptive'
+picture court-evaluations ew-demo --offscreen --frames 165 --size 480x270 --show evaluations
 end_row
 
 text << 'TEXT'
@@ -120,6 +131,17 @@ text << 'TEXT'
 TEXT
 views beziers-5.0 front oblique side
 views beziers-7.5 front oblique side
+text << 'TEXT'
+The maps below are of the oblique view. On the left is the number of evaluations along each pixel's ray, from black (0) to pale
+yellow (4096). On the right is the error of its luminance, from black (1e-6 or less) to pale yellow (0.1 or more), relative to
+Simpson's rule with 16384 divisions.
+TEXT
+row 'evaluations: adaptive, then Simpson, 256 divisions' 'errors: adaptive, then Simpson, 256 divisions'
+picture beziers-evaluations ew-demo demo/scenes/beziers-7.5-oblique.json --offscreen --frames 0 --size 256x256 \
+    --split simpson:256 --show evaluations
+picture beziers-error ew-demo demo/scenes/beziers-7.5-oblique.json --offscreen --frames 0 --size 256x256 \
+    --split simpson:256 --show error
+end_row
 
 text << 'TEXT'
 ## Weights along a curve (figure 5.6)
@@ -167,7 +189,7 @@ banding banding-curve-4.0
 text << 'TEXT'
 ## In use (figure 5.8)
 TEXT
-row 'the showpiece'
+row 'the showpiece: an orb, its ring, beams, lightning, a slash and a spiral round a pillar'
 picture showpiece ew-render demo/scenes/showpiece.json --size 640x360
 end_row
 

@@ -52,6 +52,12 @@ float ew_tolerance()
     return ew_frame.decay.z;
 }
 
+// The s at E: the length of the interval, which is the unit in the papers' integral.
+float ew_span()
+{
+    return ew_frame.decay.w;
+}
+
 int ew_simpson_divisions()
 {
     return ew_frame.simpson.x;

@@ -1,8 +1,9 @@
 // The structures of the uniform block, which C and GLSL share. All members are vec4 or ivec4, so std140 lays them out as C
 // does. src/model/layout.h includes this file, and it comes first in every shader.
 //
-// Ray space: the shader's unit of length is the interval. Its origin (the anchor) is the point of the viewing axis at view
-// depth interval_start, and its axes are the view's. A ray is L(s) = S + s V with S.z = 0 and V.z = -1, and s runs from 0 to 1.
+// Ray space: the shader's unit of length is the interval; of the world integral, how far away the sources are. Its origin (the
+// anchor) is the point of the viewing axis at view depth interval_start, and its axes are the view's. A ray is
+// L(s) = S + s V with S.z = 0 and V.z = -1. s runs from 0 to 1, in the world integral to the interval's length.
 
 struct ew_frame_block {
     vec4 pixel_center; // xy: where NDC (0, 0) lies in gl_FragCoord; zw: unused
@@ -12,7 +13,7 @@ struct ew_frame_block {
     vec4 depth_start;  // window depth of S: x + y at pixel_center (a float and its rounding error), zw: growth to the right, up
     vec4 depth_end;    // window depth of E, in the same form
     vec4 depth_scale;  // x, y: clip w of S and of E, both negated for reversed-Z; zw: unused
-    vec4 decay;        // x: beta, y: epsilon, z: tolerance of a panel (see ew_tolerance); w: unused
+    vec4 decay;        // x: beta, y: epsilon, z: tolerance of a panel (see ew_tolerance), w: length of the interval
     vec4 ray_space_x;  // x in ray space of a position relative to the eye: dot(ray_space_x, vec4(position, 1))
     vec4 ray_space_y;  // its y
     vec4 ray_space_z;  // its z

@@ -29,20 +29,25 @@ void main()
 {
     vec2 pixel = gl_FragCoord.xy - ew_frame.pixel_center.xy;
     vec4 ray = ew_frame.ray_center + pixel.x * ew_frame.ray_right + pixel.y * ew_frame.ray_up;
-    ew_segment segment = ew_segment(vec3(ray.xy, 0.0), vec3(ray.zw, -1.0), 1.0);
+#ifdef EW_WORLD
+    float span = ew_span();
+#else
+    const float span = 1.0;
+#endif
+    ew_segment segment = ew_segment(vec3(ray.xy, 0.0), vec3(ray.zw, -1.0), span);
     ew_view_depth = vec2(ew_frame.core_floor.y, 1.0);
 
 #ifdef EW_DEPTH_MULTISAMPLE
     // The mean of what is done to the target, not of the depths: a pixel on a silhouette is no wall half way.
     ew_color = vec4(0.0);
     for (int i = ew_samples.x; i < ew_samples.y; ++i) {
-        segment.end = ew_opaque_parameter(pixel, i);
+        segment.end = span * ew_opaque_parameter(pixel, i);
         ew_color += ew_shade(segment);
     }
     ew_color /= float(ew_samples.y - ew_samples.x);
 #else
 #ifdef EW_DEPTH
-    segment.end = ew_opaque_parameter(pixel);
+    segment.end = span * ew_opaque_parameter(pixel);
 #endif
     ew_color = ew_shade(segment);
 #endif

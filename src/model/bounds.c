@@ -71,6 +71,27 @@ ew_interval ew_lit_interval(const ew_sources *sources, const ew_view *view, doub
     return interval;
 }
 
+typedef struct distance_range {
+    const ew_view *view;
+    double farthest;
+} distance_range;
+
+static void take_distance(void *user, const ew_ball *ball, double reach)
+{
+    distance_range *range = user;
+    double center[3];
+    to_view(range->view, ball->center, center);
+    double radius = isinf(ball->radius) ? 0 : ball->radius - reach;
+    range->farthest = fmax(range->farthest, sqrt(ew_dot(center, center)) + radius);
+}
+
+double ew_lit_scale(const ew_sources *sources, const ew_view *view)
+{
+    distance_range range = {view, 0};
+    ew_sources_for_each_lit_ball(sources, take_distance, &range);
+    return range.farthest > 0 ? range.farthest : 1;
+}
+
 /* ---- Bounds for the host ---- */
 
 typedef struct screen_range {

@@ -10,6 +10,10 @@
  * reach, or far away. Never empty, so that it can be a unit of length. */
 ew_interval ew_lit_interval(const ew_sources *sources, const ew_view *view, double core_growth);
 
+/* A length in which what the world integral computes with is neither large nor small: how far away the sources are, their
+ * reaches left out. */
+double ew_lit_scale(const ew_sources *sources, const ew_view *view);
+
 /* See ew_get_bounds. `interval` bounds the sources that have no reach; NULL in the world integral. */
 ew_bounds ew_find_bounds(const ew_sources *sources, const ew_view *view, const ew_interval *interval,
                          const ew_viewport *viewport);

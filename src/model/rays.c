@@ -48,13 +48,13 @@ static ew_vec4 pack_window_depth(const ew_view *view, const ew_viewport *viewpor
 }
 
 /* The ray through NDC (x, y): S.xy and V.xy. */
-static void ray_through(const ew_view *view, const ew_interval *interval, double x, double y, double ray[4])
+static void ray_through(const ew_view *view, const ew_interval *interval, double unit, double x, double y, double ray[4])
 {
     double start[2], end[2], length = interval->end - interval->start;
     ew_ray_at(view, x, y, interval->start, start);
     ew_ray_at(view, x, y, interval->end, end);
     for (int i = 0; i < 2; ++i) {
-        ray[i] = start[i] / length;
+        ray[i] = start[i] / unit;
         ray[2 + i] = (end[i] - start[i]) / length;
     }
 }
@@ -65,13 +65,14 @@ static ew_vec4 pack_growth(const double ray[4], const double from[4])
                      (float)(ray[3] - from[3])};
 }
 
-void ew_pack_rays(const ew_view *view, const ew_interval *interval, const ew_viewport *viewport, struct ew_frame_block *block)
+void ew_pack_rays(const ew_view *view, const ew_interval *interval, double unit, const ew_viewport *viewport,
+                  struct ew_frame_block *block)
 {
     const double nothing[4] = {0};
     double center[4], right[4], up[4];
-    ray_through(view, interval, 0, 0, center);
-    ray_through(view, interval, 2.0 / viewport->width, 0, right);
-    ray_through(view, interval, 0, 2.0 / viewport->height, up);
+    ray_through(view, interval, unit, 0, 0, center);
+    ray_through(view, interval, unit, 2.0 / viewport->width, 0, right);
+    ray_through(view, interval, unit, 0, 2.0 / viewport->height, up);
     block->pixel_center =
         (ew_vec4){(float)(viewport->x + 0.5 * viewport->width), (float)(viewport->y + 0.5 * viewport->height), 0, 0};
     block->ray_center = pack_growth(center, nothing);

@@ -21,8 +21,10 @@ typedef struct ew_viewport {
     int x, y, width, height;
 } ew_viewport;
 
-/* Fills the members of `block` from which a pixel of the viewport gets its ray, and from its window depth its end. */
-void ew_pack_rays(const ew_view *view, const ew_interval *interval, const ew_viewport *viewport, struct ew_frame_block *block);
+/* With lengths in `unit`, fills the members of `block` from which a pixel of the viewport gets its ray, and from its window
+ * depth its end. */
+void ew_pack_rays(const ew_view *view, const ew_interval *interval, double unit, const ew_viewport *viewport,
+                  struct ew_frame_block *block);
 
 /* The height of a pixel per unit of view depth; of a parallel projection, in world units. */
 double ew_pixel_height(const ew_view *view, const ew_viewport *viewport);

@@ -29,15 +29,15 @@ static double core_growth_of(const ew_frame_desc *frame)
 }
 
 /* Fills what depends on the viewport: the rays of its pixels, and how wide cores are at the least. */
-static void pack_viewport(ew_plan *plan, const ew_frame_desc *frame, const ew_interval *interval)
+static void pack_viewport(ew_plan *plan, const ew_frame_desc *frame, const ew_interval *interval, double unit)
 {
     const ew_view view = ew_view_of(frame);
     const ew_viewport viewport = viewport_of(frame);
     struct ew_frame_block *block = &plan->uniforms.frame;
-    ew_pack_rays(&view, interval, &viewport, block);
-    double growth = core_growth_of(frame), length = interval->end - interval->start;
+    ew_pack_rays(&view, interval, unit, &viewport, block);
+    double growth = core_growth_of(frame);
     block->core_floor.x = ew_is_parallel(&view) ? 0 : (float)(growth * growth);
-    block->core_floor.z = ew_is_parallel(&view) ? (float)(growth * growth / (length * length)) : 0;
+    block->core_floor.z = ew_is_parallel(&view) ? (float)(growth * growth / (unit * unit)) : 0;
 }
 
 /* The interval of a checked frame: its own, or that of the world integral, which the sources decide. */
@@ -48,14 +48,20 @@ static ew_interval interval_of(const ew_frame_desc *frame, const ew_sources *sou
     return (ew_interval){frame->interval_start, frame->interval_end};
 }
 
-static ew_packing packing_of(const ew_frame_desc *frame, const ew_interval *interval)
+/* The unit of length of ray space. */
+static double unit_of(const ew_frame_desc *frame, const ew_sources *sources, const ew_interval *interval)
 {
-    double length = interval->end - interval->start;
+    const ew_view view = ew_view_of(frame);
+    return ew_is_world_frame(frame) ? ew_lit_scale(sources, &view) : interval->end - interval->start;
+}
+
+static ew_packing packing_of(const ew_frame_desc *frame, const ew_interval *interval, double unit)
+{
     bool is_world = ew_is_world_frame(frame);
     /* d ds = (length d') (ds): over the interval's length, B is what it is in world units. The world integral is over the way
      * itself, which is as long in the unit of d. */
-    return (ew_packing){.space = {frame->view, interval->start, length},
-                        .coefficient_scale = is_world ? 1 : frame->decay_alpha / length,
+    return (ew_packing){.space = {frame->view, interval->start, unit},
+                        .coefficient_scale = is_world ? 1 : frame->decay_alpha / unit,
                         .exposure = frame->exposure,
                         .needs_reach = is_world};
 }
@@ -65,15 +71,16 @@ static ew_result pack(ew_plan *plan, ew_sources *sources, const ew_frame_desc *f
                       ew_error *error)
 {
     const ew_view view = ew_view_of(frame);
-    const ew_packing packing = packing_of(frame, interval);
+    const ew_packing packing = packing_of(frame, interval, unit_of(frame, sources, interval));
     ew_result result = ew_check_rays(&view, interval, error);
     if (result == EW_OK) result = ew_sources_pack(sources, &packing, error);
     if (result != EW_OK) return result;
 
     struct ew_frame_block *block = &plan->uniforms.frame;
     ew_pack_ray_space(&packing.space, block);
-    block->decay = (ew_vec4){(float)frame->decay_beta, (float)(sources->epsilon / packing.space.length),
-                             (float)panel_tolerance(frame->quality), 0};
+    block->decay =
+        (ew_vec4){(float)frame->decay_beta, (float)(sources->epsilon / packing.space.length),
+                  (float)panel_tolerance(frame->quality), (float)((interval->end - interval->start) / packing.space.length)};
     block->core_floor.y = (float)(interval->start / packing.space.length);
     block->simpson.x = frame->simpson_divisions;
     for (int kind = 0; kind < EW_KIND_COUNT; ++kind)
@@ -90,7 +97,8 @@ ew_result ew_plan_uniforms(ew_plan *plan, ew_sources *sources, const ew_frame_de
     if (result != EW_OK) return result;
     const ew_interval interval = interval_of(frame, sources);
     result = pack(plan, sources, frame, &interval, error);
-    if (result == EW_OK && frame->viewport_width > 0 && frame->viewport_height > 0) pack_viewport(plan, frame, &interval);
+    if (result == EW_OK && frame->viewport_width > 0 && frame->viewport_height > 0)
+        pack_viewport(plan, frame, &interval, unit_of(frame, sources, &interval));
     return result;
 }
 
@@ -120,7 +128,7 @@ ew_result ew_plan_frame(ew_plan *plan, ew_sources *sources, const ew_mix *mix, c
 
     const ew_viewport viewport = viewport_of(frame);
     const ew_mix current = ew_sources_mix(sources);
-    pack_viewport(plan, frame, &interval);
+    pack_viewport(plan, frame, &interval, unit_of(frame, sources, &interval));
     plan->permutation = ew_permutation_of(mix ? mix : &current, frame);
     plan->target = (ew_target){frame->framebuffer, viewport, blend_of(frame->output), frame->encoding == EW_ENCODING_SRGB_8BIT};
     plan->depth = (ew_depth_request){frame->depth_source, frame->depth_texture};
