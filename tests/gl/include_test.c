@@ -85,16 +85,21 @@ static void host_draw(GLuint program, ew_effect *effect, const ew_frame_desc *fr
     assert_int_equal(gl.GetError(), GL_NO_ERROR);
 }
 
-static GLuint build_for(ew_effect *effect, const ew_mix *mix, ew_integrator integrator, const char *main_text)
+static GLuint build_for_frame(ew_effect *effect, const ew_mix *mix, const ew_frame_desc *frame, const char *main_text)
 {
     const char *text = NULL;
     ew_error error = {.text = ""};
+    if (ew_get_shader_text(effect, mix, frame, &text, &error) != EW_OK) fail_msg("%s", error.text);
+    return build_host_program(text, main_text);
+}
+
+static GLuint build_for(ew_effect *effect, const ew_mix *mix, ew_integrator integrator, const char *main_text)
+{
     ew_frame_desc frame = EW_FRAME_DEFAULTS;
     frame.interval_start = 1;
     frame.interval_end = 2;
     frame.integrator = integrator;
-    if (ew_get_shader_text(effect, mix, &frame, &text, &error) != EW_OK) fail_msg("%s", error.text);
-    return build_host_program(text, main_text);
+    return build_for_frame(effect, mix, &frame, main_text);
 }
 
 /* ---- Its camera, turned and far from the origin -----------------------------------------------------------------------------
@@ -242,6 +247,100 @@ static void a_hosts_shader_has_simpsons_rule(void **state)
     ew_destroy_effect(effect);
 }
 
+/* ---- The world integral ---- */
+
+/* The field with a reach for every source, and a path. */
+static void set_world_field(ew_effect *effect)
+{
+    static double points[4][3] = {{-1.5, -1, 0}, {-0.5, 1, 0.5}, {0.5, -1, -0.5}, {1.5, 1, 0}};
+    ew_path path = {
+        .kind = EW_PATH_CATMULL_ROM, .points = (const double(*)[3])points, .point_count = 4, .brightness = 0.4, .core = 0.05};
+    field f;
+    make_field(&f, 2, 1, 1, 1, true);
+    move_field(&f, far_away);
+    double moved[4][3];
+    for (int i = 0; i < 4; i++)
+        for (int j = 0; j < 3; j++)
+            moved[i][j] = points[i][j] + far_away[j];
+    path.points = (const double(*)[3])moved;
+    path.reach = f.points[0].reach = f.points[1].reach = f.lines[0].reach = f.tori[0].reach = f.curves[0].reach = 1.5;
+    path.sharpness = f.points[0].sharpness = 2;
+    memcpy(path.color, (double[3]){0.3, 0.6, 1}, sizeof path.color);
+    f.desc.paths = &path;
+    f.desc.path_count = 1;
+    ew_error error = {.text = ""};
+    if (ew_set_sources(effect, &f.desc, &error) != EW_OK) fail_msg("%s", error.text);
+}
+
+static ew_frame_desc make_world_frame(ew_output output)
+{
+    ew_frame_desc frame = make_turned_frame(output);
+    frame.interval_start = frame.interval_end = 0;
+    return frame;
+}
+
+/* Unlike the papers', it leaves pixels dark: differences are relative to the brightest. */
+static void expect_same_world(picture *drawn, picture *expected, int channels)
+{
+    for (int y = 0; y < PICTURE_HEIGHT; y++)
+        for (int x = 0; x < PICTURE_WIDTH; x++)
+            for (int i = channels; i < 4; i++)
+                drawn->pixels[y][x][i] = expected->pixels[y][x][i] = 0;
+    assert_true(picture_difference(drawn, expected) < 1e-4);
+}
+
+static void a_hosts_shader_has_the_world_light_of_ew_draw(void **state)
+{
+    (void)state;
+    static const ew_integrator integrators[] = {EW_INTEGRATOR_ADAPTIVE, EW_INTEGRATOR_SIMPSON};
+    static const double core_pixels[] = {0, EW_CORE_PIXELS_DEFAULT};
+    ew_effect *effect = create_effect();
+    set_world_field(effect);
+    for (int i = 0; i < 4; i++) {
+        ew_frame_desc frame = make_world_frame(EW_OUTPUT_ADD);
+        frame.integrator = integrators[i / 2];
+        frame.core_pixels = core_pixels[i % 2];
+        GLuint program =
+            build_for_frame(effect, NULL, &frame, "void main() { color = ew_light(vec3(0.0), direction, 1e30); }\n");
+        picture drawn, expected;
+        host_draw(program, effect, &frame, &drawn);
+        gl.DeleteProgram(program);
+        draw_expected(effect, &frame, &expected);
+        expect_same_world(&drawn, &expected, 3);
+    }
+    ew_destroy_effect(effect);
+}
+
+/* With distances along unit vectors, from elsewhere on the ray, and in two parts. */
+static void world_rays_may_start_anywhere_and_be_of_any_length(void **state)
+{
+    (void)state;
+    ew_effect *effect = create_effect();
+    set_world_field(effect);
+    ew_frame_desc frame = make_world_frame(EW_OUTPUT_LUMINANCE);
+    frame.core_pixels = 0;
+    GLuint program =
+        build_for_frame(effect, NULL, &frame,
+                        "void main()\n{\nvec3 unit = normalize(direction);\n"
+                        "float light = ew_luminance(vec3(0.0), 7.0 * direction, 1e30);\n"
+                        "color = vec4(light, ew_luminance(vec3(0.0), unit, 1e6), ew_luminance(unit, unit, 1e6), 1.0);\n}\n");
+    picture drawn, expected;
+    host_draw(program, effect, &frame, &drawn);
+    gl.DeleteProgram(program);
+    draw_expected(effect, &frame, &expected);
+    const picture measured = drawn;
+    expect_same_world(&drawn, &expected, 1);
+    /* The other two: all of the sources lie beyond 1. */
+    for (int i = 1; i < 3; i++) {
+        picture other;
+        for (int y = 0; y < PICTURE_HEIGHT; y++)
+            for (int x = 0; x < PICTURE_WIDTH; x++)
+                other.pixels[y][x][0] = measured.pixels[y][x][i];
+        expect_same_world(&other, &expected, 1);
+    }
+    ew_destroy_effect(effect);
+}
+
 /* One shader for any number of sources; the rays' interval is another than that of the frame in the buffer. */
 static void a_general_hosts_shader_has_the_coloured_light_of_ew_draw(void **state)
 {
@@ -355,6 +454,8 @@ int main(int argc, char **argv)
         cmocka_unit_test(a_hosts_shader_has_simpsons_rule),
         cmocka_unit_test(a_general_hosts_shader_has_the_coloured_light_of_ew_draw),
         cmocka_unit_test(rays_may_start_anywhere_and_end_at_what_is_opaque),
+        cmocka_unit_test(a_hosts_shader_has_the_world_light_of_ew_draw),
+        cmocka_unit_test(world_rays_may_start_anywhere_and_be_of_any_length),
         cmocka_unit_test(the_buffer_keeps_its_name_and_the_host_its_binding),
         cmocka_unit_test(bad_arguments_are_errors_that_change_nothing),
         cmocka_unit_test(gl_has_nothing_to_say),

@@ -186,6 +186,41 @@ static void a_shader_that_lacks_something_is_not_used(void **state)
     expect_to_compile_beside(&(ew_mix){.curve_count = EW_ANY_COUNT}, 0, 1, true);
 }
 
+/* A shader for sources that may have reaches, and sources that have none: either it draws these right, or another one does. */
+static void a_shader_with_reaches_draws_sources_without(void **state)
+{
+    (void)state;
+    static const ew_mix general = {.point_count = EW_ANY_COUNT,
+                                   .line_count = EW_ANY_COUNT,
+                                   .torus_count = EW_ANY_COUNT,
+                                   .curve_count = EW_ANY_COUNT,
+                                   .path_count = EW_ANY_COUNT,
+                                   .has_weights = 1,
+                                   .has_reach = 1,
+                                   .has_sharpness = 1,
+                                   .has_bends = 1};
+    watched_gl_start(&watched, context);
+    ew_effect *prepared = create_effect(), *plain = create_effect();
+    ew_frame_desc frame = make_frame(target, EW_OUTPUT_ADD);
+    frame.quality = EW_QUALITY_ERROR_1E_4;
+    prepare_until_ready(prepared, &general, &frame);
+    for (int has_reach = 0; has_reach < 2; has_reach++) {
+        field f;
+        picture drawn, expected;
+        make_field(&f, 2, 1, 1, 2, true);
+        if (has_reach) f.points[0].reach = f.curves[1].reach = 2;
+        assert_int_equal(ew_set_sources(prepared, &f.desc, NULL), EW_OK);
+        assert_int_equal(ew_set_sources(plain, &f.desc, NULL), EW_OK);
+        int compiled = watched.compiled;
+        draw(prepared, &frame, &drawn);
+        if (has_reach) assert_int_equal(watched.compiled, compiled);
+        draw(plain, &frame, &expected);
+        assert_true(picture_difference(&drawn, &expected) < 1e-4);
+    }
+    ew_destroy_effect(prepared);
+    ew_destroy_effect(plain);
+}
+
 /* With a driver that compiles on other threads, played by the loader. */
 static void nothing_waits_for_a_compiler_that_is_at_work(void **state)
 {
@@ -298,6 +333,7 @@ int main(int argc, char **argv)
         cmocka_unit_test(preparing_draws_nothing),
         cmocka_unit_test(a_general_shader_draws_any_sources_and_the_same_light),
         cmocka_unit_test(a_shader_that_lacks_something_is_not_used),
+        cmocka_unit_test(a_shader_with_reaches_draws_sources_without),
         cmocka_unit_test(nothing_waits_for_a_compiler_that_is_at_work),
         cmocka_unit_test(an_effect_destroyed_while_it_compiles_loses_nothing),
         cmocka_unit_test(a_driver_that_refuses_a_shader_is_an_error),
