@@ -13,8 +13,8 @@
  * of MAP_REFERENCE_PARTS parts of the interval; in the world integral, on what the reaches leave of the ray. Where a division
  * is longer than a core's radius, the reference's own error shows. Light is made sharp after it has been
  * integrated, so over the parts of an interval, sources with a sharpness above 1 seem to have errors that they do not have.
- * Mesa's software rasteriser ends a pixel's loops after 65535 steps, so there the reference is wrong where a ray meets more than
- * 15 pieces of paths. */
+ * Mesa's software rasteriser ends a pixel's loops after 65535 steps, so there the reference is wrong where a ray meets more
+ * than 15 pieces of paths. */
 enum { MAP_REFERENCE_PARTS = 4, MAP_REFERENCE_DIVISIONS = MAP_REFERENCE_PARTS * EW_MAX_SIMPSON_DIVISIONS };
 
 typedef struct map_statistics {
