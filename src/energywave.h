@@ -12,7 +12,7 @@
  *
  * c is the coefficient, w the weight, d(P) the distance to the source, x the distance along the ray in world units. A parallel
  * projection integrates from its near plane. B has no unit: a source looks the same in metres and in miles, and from any
- * distance. r' is r, or half of `core_pixels` pixels if that is more: see ew_frame_desc.
+ * distance. r' is r, made wider where a pixel is about as wide: see `core_pixels` in ew_frame_desc.
  *
  * The papers' integral is over an interval of view depths, with a decay that dims distant light. A frame with an interval asks
  * for it:
@@ -325,7 +325,9 @@ typedef enum ew_integrator {
 /* The error of B that EW_INTEGRATOR_ADAPTIVE aims for, relative to max(B, 1e-3 of the image's largest B). It is estimated, not
  * bounded. With the default, 1E_3, all but a few of the tests' scenes stay within 1e-3 everywhere and within 1e-4 on 99 % of
  * the pixels. The few stay within 1e-2: their rays pass through the middle of cores of a ten-millionth of the interval, or
- * their tori are larger than the interval. Points and lines are exact except for rounding. */
+ * their tori are larger than the interval; or, in the world integral, a curve, path or torus comes within reach of the ray more
+ * than once. There, single pixels of one scene in a hundred are beyond 1e-2, and 1E_4 is no more accurate than 1E_3. Points and
+ * lines are exact except for rounding. */
 typedef enum ew_quality {
     EW_QUALITY_ERROR_1E_2,
     EW_QUALITY_ERROR_1E_3,
@@ -500,7 +502,7 @@ typedef struct ew_mix {
     size_t curve_count;
     int has_weights; /* 1: curves and paths with or without weights; 0: only without */
     size_t path_count;
-    int has_reach;     /* 1: sources that may have a reach or a core of their own; 0: none has. 1 for the world integral */
+    int has_reach;     /* 1: a source has a reach or a core of its own; 0: none has. Always 1 in the world integral */
     int has_sharpness; /* 1: sources with or without sharpness; 0: only without */
     int has_joints;    /* 1: paths of any number of pieces; 0: straight beams only */
     int has_bends;     /* 1: paths with or without bent pieces; 0: polylines only */
@@ -560,7 +562,8 @@ EW_API ew_result ew_prepare(ew_effect *effect, const ew_mix *mix, const ew_frame
  *     glBindBufferBase(GL_UNIFORM_BUFFER, binding, buffer);
  *
  * mix:        the sources that the shader can draw; NULL means the effect's current ones. The sources in the buffer must match
- *             it: exactly as many of a kind where the mix has an exact count, and no weights where has_weights is 0.
+ *             it: exactly as many of a kind where the mix has an exact count, no weights where has_weights is 0, and has_reach
+ *             as they need it, because the block's layout depends on it.
  * frame:      which integral the text computes, and by which integrator; core_pixels, if they are 0. All else comes from the
  *             buffer.
  * text:       receives a string that belongs to the effect and is valid until the next call of this function. Unchanged on

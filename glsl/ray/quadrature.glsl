@@ -85,9 +85,12 @@ float ew_integrate_reciprocal(float b2, float k, float s0, float from, float to)
 //
 //     (k - g) y^2 - 2 m y - e = 0,
 //
-// where g is the growth of r'^2 with y^2, 2 m that with y, and e what r'^2 has more than b2 at s0. With root = sqrt(m^2 + (k - g) e)
-// they are -e / (m + root) and (m + root) / (k - g), in which nothing cancels. Only a ray that looks along a line has k < g: it stays
-// in the core once it is in it. An empty core is [0, 0].
+// where g is the growth of r'^2 with y^2, 2 m that with y, and e what r'^2 has more than b2 at s0. With
+// sum = |m| + sqrt(m^2 + (k - g) e) they are e / sum and sum / (k - g) with opposite signs, in which nothing cancels: the one that
+// m points at is sum / (k - g). An empty core is [0, 0].
+//
+// Only a ray that looks along a line has k < g: from the further root on it stays in the core. Before the nearer root it is in the
+// core, too, which only an eye in the core can see; its ray then has only that part.
 vec2 ew_find_core(float b2, float k, float s0, vec4 glow)
 {
     float growth2 = ew_core_growth2();
@@ -95,10 +98,14 @@ vec2 ew_find_core(float b2, float k, float s0, vec4 glow)
     float excess = ew_core2(glow, s0) - b2;
     float a = k - growth2;
     float root2 = middle * middle + a * excess;
-    float reach_of_core = middle + sqrt(max(root2, 0.0));
-    vec2 core = vec2(max(-excess / max(reach_of_core, 1e-30), -1e15), a > 0.0 ? reach_of_core / a : 1e15);
-    if (root2 < 0.0) core = a > 0.0 ? vec2(0.0) : vec2(-1e15, 1e15);
-    return core;
+    float sum = abs(middle) + sqrt(max(root2, 0.0));
+    float inner = clamp(excess / max(sum, 1e-30), -1e15, 1e15);
+    float outer = min(sum / max(abs(a), 1e-30), 1e15);
+    if (root2 < 0.0) return a > 0.0 ? vec2(0.0) : vec2(-1e15, 1e15);
+    if (middle >= 0.0) return vec2(-inner, a > 0.0 ? outer : 1e15);
+    if (a > 0.0) return vec2(-outer, inner);
+    bool eye_is_in_it = -ew_view_depth.x < (s0 + inner) * ew_view_depth.y;
+    return eye_is_in_it ? vec2(-1e15, inner) : vec2(outer, 1e15);
 }
 #endif
 
