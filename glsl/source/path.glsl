@@ -23,22 +23,6 @@ float ew_integrate_point_over(ew_segment segment, vec3 position, vec2 part, vec4
     return sum;
 }
 
-// The weight at t along a path.
-float ew_path_weight(ew_path_block path, float t)
-{
-#ifdef EW_WEIGHTS
-    if (path.weights.y > 0.0) return ew_weight(t, path.weights.x, path.weights.y);
-#endif
-    return 1.0;
-}
-
-#ifdef EW_JOINTS
-vec4 ew_piece_unit(ew_path_block path, float units, int i, int unit)
-{
-    return ew_source_data[int(path.pieces.x) + i * int(units) + unit];
-}
-#endif
-
 // ---- Straight pieces
 
 // The planes through the ends of a straight piece cut a ray in three: to what is before the start the start is nearest, to what is
@@ -71,21 +55,28 @@ float ew_s_at_plane(ew_slab slab, float place, vec2 chord)
     return is_parallel ? (way > 0.0 ? chord.x : chord.y) : clamp(way / slab.growth, chord.x, chord.y);
 }
 
-// The line's part of a straight piece without weights: what lies between the planes.
-float ew_integrate_slab(ew_segment segment, ew_slab slab, vec2 part, vec4 glow)
+// The line's squared distance along the ray is b2 + k (s - s0)^2. `part` is cut to what is within reach.
+void ew_find_line(ew_segment segment, ew_slab slab, vec4 glow, inout vec2 part, out float b2, out float k, out float s0)
 {
     vec3 to_line = slab.start - segment.origin;
     to_line -= dot(to_line, slab.axis) * slab.axis;
     vec3 across = segment.direction - slab.growth * slab.axis;
-    float k = max(ew_length_squared(across), 1e-12 * ew_length_squared(segment.direction));
-    float s0 = dot(to_line, across) / k;
-    float b2 = ew_length_squared(to_line - s0 * across);
+    k = max(ew_length_squared(across), 1e-12 * ew_length_squared(segment.direction));
+    s0 = dot(to_line, across) / k;
+    b2 = ew_length_squared(to_line - s0 * across);
 #ifdef EW_REACH
     if (glow.y > 0.0) {
         vec2 chord = ew_chord_of(b2, k, s0, glow.y, segment.end);
         part = vec2(clamp(part.x, chord.x, chord.y), clamp(part.y, chord.x, chord.y));
     }
 #endif
+}
+
+// The line's part of a straight piece without weights: what lies between the planes.
+float ew_integrate_slab(ew_segment segment, ew_slab slab, vec2 part, vec4 glow)
+{
+    float b2, k, s0;
+    ew_find_line(segment, slab, glow, part, b2, k, s0);
     ew_evaluation_count += 1;
     return ew_integrate_within_reach(b2, k, s0, part, glow);
 }
@@ -115,18 +106,8 @@ const int EW_MAX_PATH_PANELS = 64;
 // longer than its distance from what is singular. Relative error 1e-4.
 float ew_integrate_weighted_part(ew_segment segment, ew_slab slab, vec2 part, vec3 weight_by_t, vec4 glow)
 {
-    vec3 to_line = slab.start - segment.origin;
-    to_line -= dot(to_line, slab.axis) * slab.axis;
-    vec3 across = segment.direction - slab.growth * slab.axis;
-    float k = max(ew_length_squared(across), 1e-12 * ew_length_squared(segment.direction));
-    float s0 = dot(to_line, across) / k;
-    float b2 = ew_length_squared(to_line - s0 * across);
-#ifdef EW_REACH
-    if (glow.y > 0.0) {
-        vec2 chord = ew_chord_of(b2, k, s0, glow.y, segment.end);
-        part = vec2(clamp(part.x, chord.x, chord.y), clamp(part.y, chord.x, chord.y));
-    }
-#endif
+    float b2, k, s0;
+    ew_find_line(segment, slab, glow, part, b2, k, s0);
     float scale = (slab.t.y - slab.t.x) / max(slab.size, 1e-30);
     float core2 = ew_core2(glow, clamp(s0, part.x, part.y));
     float half_core = sqrt(max(core2 - b2, 0.0) / k);
@@ -174,18 +155,8 @@ float ew_integrate_weighted_side(float b2, float k, float s0, float from, float 
 // The same as ew_integrate_slab for a part of the piece on which the weight is one polynomial of the place along it.
 float ew_integrate_weighted_part(ew_segment segment, ew_slab slab, vec2 part, vec3 weight_by_t, vec4 glow)
 {
-    vec3 to_line = slab.start - segment.origin;
-    to_line -= dot(to_line, slab.axis) * slab.axis;
-    vec3 across = segment.direction - slab.growth * slab.axis;
-    float k = max(ew_length_squared(across), 1e-12 * ew_length_squared(segment.direction));
-    float s0 = dot(to_line, across) / k;
-    float b2 = ew_length_squared(to_line - s0 * across);
-#ifdef EW_REACH
-    if (glow.y > 0.0) {
-        vec2 chord = ew_chord_of(b2, k, s0, glow.y, segment.end);
-        part = vec2(clamp(part.x, chord.x, chord.y), clamp(part.y, chord.x, chord.y));
-    }
-#endif
+    float b2, k, s0;
+    ew_find_line(segment, slab, glow, part, b2, k, s0);
     float scale = (slab.t.y - slab.t.x) / max(slab.size, 1e-30);
     // Far from the peak, compared with the part's length, all is smooth; and so it is if the peak is much longer than the part, where
     // the moments below would be small differences.

@@ -1,26 +1,11 @@
 // Samples of a path's field: the sum of its pieces' samples, less one of a point for each joint. See path.glsl.
 
-float ew_path_sample_weight(ew_path_block path, float t)
-{
-#ifdef EW_WEIGHTS
-    if (path.weights.y > 0.0) return ew_weight(t, path.weights.x, path.weights.y);
-#endif
-    return 1.0;
-}
-
-#ifdef EW_JOINTS
-vec4 ew_piece_unit(ew_path_block path, float units, int i, int unit)
-{
-    return ew_source_data[int(path.pieces.x) + i * int(units) + unit];
-}
-#endif
-
 // The nearest point of a straight piece.
 float ew_sample_straight(ew_path_block path, vec4 start, vec4 end, vec3 position, float s)
 {
     vec3 way = end.xyz - start.xyz;
     float u = clamp(dot(position - start.xyz, way) / max(ew_length_squared(way), 1e-30), 0.0, 1.0);
-    float weight = ew_path_sample_weight(path, mix(start.w, end.w, u));
+    float weight = ew_path_weight(path, mix(start.w, end.w, u));
     return weight * ew_sample(ew_length_squared(position - start.xyz - u * way), s, path.glow);
 }
 
@@ -37,7 +22,7 @@ float ew_sample_bent(ew_path_block path, int i, vec3 position, float s, out vec4
     float tau;
     float distance_squared = ew_nearest_on_curve(polynomial, position, tau);
     start = vec4(polynomial.c0 + polynomial.first * (polynomial.c1 + polynomial.first * polynomial.c2), domain.z);
-    float weight = ew_path_sample_weight(path, mix(domain.z, domain.w, tau - polynomial.first));
+    float weight = ew_path_weight(path, mix(domain.z, domain.w, tau - polynomial.first));
     return weight * ew_sample(distance_squared, s, path.glow);
 }
 #endif
@@ -59,7 +44,7 @@ float ew_sample_at(ew_path_block path, vec3 position, float s)
         }
 #endif
         if (i > 0 || path.pieces.w > 0.0)
-            sum -= ew_path_sample_weight(path, start.w) * ew_sample(ew_length_squared(position - start.xyz), s, path.glow);
+            sum -= ew_path_weight(path, start.w) * ew_sample(ew_length_squared(position - start.xyz), s, path.glow);
     }
 #endif
     return sum;

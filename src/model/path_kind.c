@@ -175,6 +175,6 @@ const ew_kind ew_path_kind_row = {
     .weights = weights_of,
     .pack = pack,
     .chain = &chain,
-    .adaptive_files = {ew_glsl_path_glsl},
-    .sampling_files = {ew_glsl_path_distance_glsl},
+    .adaptive_files = {ew_glsl_path_pieces_glsl, ew_glsl_path_glsl},
+    .sampling_files = {ew_glsl_path_pieces_glsl, ew_glsl_path_distance_glsl},
 };
