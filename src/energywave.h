@@ -334,6 +334,12 @@ typedef enum ew_quality {
     EW_QUALITY_ERROR_1E_4,
 } ew_quality;
 
+/* At how many pixels the light is integrated. */
+typedef enum ew_resolution {
+    EW_RESOLUTION_ADAPTIVE,
+    EW_RESOLUTION_FULL, /* at every pixel */
+} ew_resolution;
+
 /* What ew_draw writes. Cb is the colour that the target had, and B_i is source i's share of B. */
 typedef enum ew_output {
     /* C = max(0, 1 - B) Cb + sum B_i color_i: thesis (4.8), with the background's weight clamped at 0. The target's alpha A
@@ -412,6 +418,7 @@ typedef struct ew_frame_desc {
     ew_integrator integrator;
     ew_quality quality;
     int simpson_divisions; /* even, 2 .. EW_MAX_SIMPSON_DIVISIONS */
+    ew_resolution resolution;
 
     ew_output output;
     /* Where to draw: a framebuffer of the current context (0 is the window's), and the rectangle in it, in pixels, that the

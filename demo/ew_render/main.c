@@ -24,6 +24,7 @@ static const char help[] =
     "      --size WxH          in pixels, up to 8192x8192 (default 640x360)\n"
     "      --integrator NAME   adaptive, or with its largest relative error as in adaptive:1e-2,\n"
     "                          adaptive:1e-3 (default), adaptive:1e-4; or simpson:N, N divisions\n"
+    "      --resolution NAME   adaptive: integrate fewer pixels where the light is smooth (default); or full: every one\n"
     "      --backend NAME      egl, osmesa or auto (default): EGL or else OSMesa\n"
     "  -h, --help              print this help\n"
     "      --version           print the version\n"
@@ -78,6 +79,7 @@ static bool read_options(int argc, char **argv, command_line *options, char *mes
         {"luminance", 0, read_text, &options->luminance, NULL},
         {"size", 0, read_picture_size, &options->settings, SIZE_REMEDY},
         {"integrator", 0, read_integrator, &options->settings, INTEGRATOR_REMEDY},
+        {"resolution", 0, read_resolution, &options->settings.resolution, RESOLUTION_REMEDY},
         {"backend", 0, read_backend, &options->backend, BACKEND_REMEDY},
     };
     const command_program program = {"ew-render", help, table, sizeof table / sizeof *table};

@@ -138,6 +138,17 @@ bool read_backend(const char *text, void *target)
     return false;
 }
 
+bool read_resolution(const char *text, void *target)
+{
+    static const char *const names[] = {[EW_RESOLUTION_ADAPTIVE] = "adaptive", [EW_RESOLUTION_FULL] = "full"};
+    for (int i = 0; i < 2; i++)
+        if (strcmp(text, names[i]) == 0) {
+            *(ew_resolution *)target = (ew_resolution)i;
+            return true;
+        }
+    return false;
+}
+
 bool read_integrator(const char *text, void *target)
 {
     return integrator_from_name(text, target);

@@ -54,4 +54,8 @@ bool read_backend(const char *text, void *target);
 #define INTEGRATOR_REMEDY "must be adaptive, adaptive:1e-2, adaptive:1e-3, adaptive:1e-4 or simpson:N, N even"
 bool read_integrator(const char *text, void *target);
 
+/* The name of a resolution. `target` is an ew_resolution. */
+#define RESOLUTION_REMEDY "must be adaptive or full"
+bool read_resolution(const char *text, void *target);
+
 #endif

@@ -50,6 +50,7 @@ ew_frame_desc render_frame(const demo_scene *scene, const render_settings *setti
     frame.integrator = settings->integrator;
     frame.quality = settings->quality;
     frame.simpson_divisions = settings->simpson_divisions;
+    frame.resolution = settings->resolution;
     frame.output = scene->composite;
     frame.framebuffer = target->effect_framebuffer;
     frame.viewport_width = settings->width;

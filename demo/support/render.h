@@ -20,6 +20,7 @@ typedef struct render_settings {
     ew_integrator integrator;
     ew_quality quality;    /* for EW_INTEGRATOR_ADAPTIVE */
     int simpson_divisions; /* for EW_INTEGRATOR_SIMPSON */
+    ew_resolution resolution;
 } render_settings;
 
 /* What a picture is drawn to. The effect reads the depth texture, so its framebuffers do not have it attached. */

@@ -9,6 +9,7 @@ layout(std140) uniform ew_uniforms
 {
     ew_frame_block ew_uniform_frame;
     ivec4 ew_uniform_source_counts[EW_COUNT_VECTORS];
+    ew_grid_block ew_grid;
     vec4 ew_source_data[EW_SOURCE_DATA_SIZE];
 };
 
@@ -33,7 +34,20 @@ EW_VARYING ivec4 ew_source_counts[EW_COUNT_VECTORS];
 EW_VARYING vec4 ew_sources[EW_SOURCE_VARYINGS];
 #endif
 
-#ifndef EW_VERTEX_STAGE
+#ifdef EW_VERTEX_STAGE
+// Hands on what is the same for all fragments.
+void ew_copy_varyings()
+{
+#ifdef EW_SOFTWARE
+    ew_frame = ew_uniform_frame;
+    ew_source_counts = ew_uniform_source_counts;
+#endif
+#ifdef EW_SOURCE_VARYINGS
+    for (int i = 0; i < EW_SOURCE_VARYINGS; ++i)
+        ew_sources[i] = ew_source_data[i];
+#endif
+}
+#else
 // beta of the decay, (21).
 float ew_beta()
 {

@@ -22,6 +22,20 @@ struct ew_frame_block {
     ivec4 simpson;     // x: number of divisions
 };
 
+// What adaptive resolution knows of the frame.
+struct ew_grid_block {
+    ivec4 viewport; // xy: its first pixel, zw: its size in pixels
+    vec4 tolerance; // x: how much an interpolated pixel may be off, relative to its light or to y times the picture's largest
+};
+
+// Adaptive resolution divides the viewport into square cells of EW_CELL_SIZE pixels, and these stand in blocks of EW_BLOCK_CELLS by
+// EW_BLOCK_CELLS. Nodes are at the cells' corners; EW_NODE_MARGIN more lie beyond the blocks on either side. EW_PEAK_SIZE: over
+// how many nodes, in each direction, a pixel of the peak pass goes.
+#define EW_CELL_SIZE 8
+#define EW_BLOCK_CELLS 4
+#define EW_NODE_MARGIN (2 * EW_BLOCK_CELLS)
+#define EW_PEAK_SIZE 16
+
 // How many kinds of sources there are, and how many ivec4 their counts take.
 #define EW_KIND_COUNT 5
 #define EW_COUNT_VECTORS ((EW_KIND_COUNT + 3) / 4)

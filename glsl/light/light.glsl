@@ -38,7 +38,10 @@ float ew_others(vec4 sum, vec4 color)
 #endif
 #define EW_INTEGRAL(source) EW_SPEED ew_integrate(segment, source, chord, ew_others(sum, source.color))
 #define EW_ADD_SOURCE(source) ew_add(EW_INTEGRAL(source), source.color, source.glow, sum)
-#ifdef EW_REACH
+#ifdef EW_FIELD
+#define EW_ADD_READ(block, read) block source = read(i); sum.a += ew_field_of(segment, source);
+#define EW_ADD_KIND(block, read, count) if (count > 0) { int i = 0; do { EW_ADD_READ(block, read) } while (++i < count); }
+#elif defined(EW_REACH)
 // Sources that the ray misses are passed over in a loop of their own: where a group of pixels has few, a software rasteriser goes
 // through the expensive body as often as the pixel of the group that has most. A pixel that has left that loop while others of its
 // group have not may see its values computed once more (llvmpipe does so); so the search stays where it is once it has found one.

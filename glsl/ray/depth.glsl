@@ -36,20 +36,36 @@ float ew_parameter_of_depth(vec2 pixel, float depth)
     return is_number && behind_start > 0.0 ? inside : 0.0;
 }
 
+// How much the parameter grows with window depth, at `depth`, if that is between those of S and E.
+float ew_parameter_slope(vec2 pixel, float depth)
+{
+    vec4 start = ew_frame.depth_start;
+    vec4 end = ew_frame.depth_end;
+    float correction_start = ew_depth_correction(start, pixel);
+    float correction_end = ew_depth_correction(end, pixel);
+    float clip_w_start = ew_frame.depth_scale.x;
+    float clip_w_end = ew_frame.depth_scale.y;
+    float between = (end.x - start.x) + (correction_end - correction_start);
+    float sum = clip_w_start * ((depth - start.x) - correction_start) + clip_w_end * ((end.x - depth) + correction_end);
+    return abs(clip_w_start * clip_w_end * between / (sum * sum));
+}
+
 #ifdef EW_DEPTH_MULTISAMPLE
 uniform sampler2DMS ew_depth_texture;
 // The samples that this pass shades, from x up to but not including y.
 uniform ivec2 ew_samples;
 
-float ew_opaque_parameter(vec2 pixel, int sample_index)
+// The window depth of a sample of the target's pixel `place`.
+float ew_window_depth(ivec2 place, int sample_index)
 {
-    return ew_parameter_of_depth(pixel, texelFetch(ew_depth_texture, ivec2(gl_FragCoord.xy), sample_index).r);
+    return texelFetch(ew_depth_texture, place, sample_index).r;
 }
 #else
 uniform sampler2D ew_depth_texture;
 
-float ew_opaque_parameter(vec2 pixel)
+// The window depth of the target's pixel `place`.
+float ew_window_depth(ivec2 place)
 {
-    return ew_parameter_of_depth(pixel, texelFetch(ew_depth_texture, ivec2(gl_FragCoord.xy), 0).r);
+    return texelFetch(ew_depth_texture, place, 0).r;
 }
 #endif

@@ -2,8 +2,15 @@
 #ifndef EW_BINDING_POINTS_H
 #define EW_BINDING_POINTS_H
 
-/* The unit of the depth texture and its sampler. */
-enum { EW_GL_DEPTH_TEXTURE_UNIT = 0 };
+/* The units of textures and their samplers: the opaque depth, and the grid of adaptive resolution. */
+enum {
+    EW_GL_DEPTH_TEXTURE_UNIT,
+    EW_GL_NODE_TEXTURE_UNIT,
+    EW_GL_FIELD_TEXTURE_UNIT,
+    EW_GL_CELL_TEXTURE_UNIT,
+    EW_GL_BLOCK_TEXTURE_UNIT, /* while there are no blocks yet, the peak of the nodes */
+    EW_GL_TEXTURE_UNIT_COUNT,
+};
 
 /* The binding of the uniform block. */
 enum { EW_GL_UNIFORM_BINDING = 0 };

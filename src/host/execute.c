@@ -2,6 +2,7 @@
 #include "host/execute.h"
 
 #include "base/error.h"
+#include "host/sample_passes.h"
 #include "host/state_guard.h"
 
 ew_result ew_device_create(ew_device *device, const ew_effect_desc *desc, ew_error *error)
@@ -10,6 +11,8 @@ ew_result ew_device_create(ew_device *device, const ew_effect_desc *desc, ew_err
     ew_result result = ew_gl_load(&device->gl, desc->get_proc_address, desc->user, error);
     if (result != EW_OK) return result;
     const ew_gl *gl = &device->gl;
+    for (int pass = 0; pass < EW_PASS_COUNT; ++pass)
+        device->programs[pass].pass = (ew_pass)pass;
     gl->GenBuffers(1, &device->uniform_buffer);
     gl->GenSamplers(1, &device->depth_sampler);
     gl->SamplerParameteri(device->depth_sampler, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
@@ -21,7 +24,9 @@ ew_result ew_device_create(ew_device *device, const ew_effect_desc *desc, ew_err
 void ew_device_destroy(ew_device *device, const ew_allocator *allocator)
 {
     const ew_gl *gl = &device->gl;
-    ew_program_cache_destroy(&device->programs, gl, allocator);
+    for (int pass = 0; pass < EW_PASS_COUNT; ++pass)
+        ew_program_cache_destroy(&device->programs[pass], gl, allocator);
+    ew_grid_destroy(&device->grid, gl);
     ew_depth_copy_destroy(&device->depth_copy, gl);
     gl->DeleteSamplers(1, &device->depth_sampler);
     gl->DeleteBuffers(1, &device->uniform_buffer);
@@ -54,57 +59,37 @@ void ew_upload(const ew_device *device, const ew_plan *plan)
 
 /* ---- Drawing ---- */
 
-/* Four vertices are the quad; the next ones lie beyond its upper edge, and the triangles that they make are clipped away. */
-enum { QUAD_VERTEX = 0, OUTSIDE_VERTEX = 4, QUAD_VERTEX_COUNT = 4 };
-
-static void draw_quad(const ew_gl *gl, GLint first_vertex)
+static void draw_quad(void *user)
 {
-    gl->DrawArrays(GL_TRIANGLE_STRIP, first_vertex, QUAD_VERTEX_COUNT);
+    const ew_drawing *drawing = user;
+    drawing->gl->DrawArrays(GL_TRIANGLE_STRIP, drawing->is_ahead ? EW_QUAD_VERTICES : 0, EW_QUAD_VERTICES);
 }
 
-/* Draws each sample of the target with its own depth, or, where the target has other samples, each pixel with them all. Masks
- * do what gl_SampleID would, in every context that has multisampled textures. */
-static void draw_samples(const ew_gl *gl, GLuint program, GLint samples, GLint first_vertex)
+static void draw_every_pixel(ew_drawing *drawing)
 {
-    GLint target_samples = 0, location = gl->GetUniformLocation(program, "ew_samples");
-    gl->GetIntegerv(GL_SAMPLES, &target_samples);
-    if (target_samples != samples) {
-        gl->Uniform2i(location, 0, samples);
-        draw_quad(gl, first_vertex);
-        return;
-    }
-    if (gl->multisample) gl->Enable(GL_MULTISAMPLE);
-    gl->Enable(GL_SAMPLE_MASK);
-    for (GLint i = 0; i < samples; i++) {
-        gl->SampleMaski(0, (GLbitfield)1 << i);
-        gl->Uniform2i(location, i, i + 1);
-        draw_quad(gl, first_vertex);
-    }
-    gl->Disable(GL_SAMPLE_MASK);
-}
-
-static ew_result draw(ew_device *device, const ew_plan *plan, ew_depth_kind depth_kind, GLuint program, GLint first_vertex,
-                      ew_error *error)
-{
-    const ew_gl *gl = &device->gl;
-    ew_depth_input depth;
-    ew_result result = ew_depth_input_bind(&device->depth_copy, gl, plan, depth_kind, &depth, error);
-    if (result != EW_OK) return result;
-    gl->BindSampler(EW_GL_DEPTH_TEXTURE_UNIT, device->depth_sampler);
-    fill_uniform_buffer(device, plan);
-    gl->BindBufferBase(GL_UNIFORM_BUFFER, EW_GL_UNIFORM_BINDING, device->uniform_buffer);
-    gl->UseProgram(program);
-    /* Vertex arrays are not shared between contexts, and one without attributes costs nothing to make. */
-    GLuint vertex_array;
-    gl->GenVertexArrays(1, &vertex_array);
-    gl->BindVertexArray(vertex_array);
-    if (depth.samples > 0)
-        draw_samples(gl, program, depth.samples, first_vertex);
+    const GLuint program = drawing->programs.names[EW_PASS_WAVE];
+    drawing->gl->UseProgram(program);
+    if (drawing->depth->samples > 0)
+        ew_draw_samples(drawing->gl, program, drawing->depth->samples, draw_quad, drawing);
     else
-        draw_quad(gl, first_vertex);
-    gl->DeleteVertexArrays(1, &vertex_array);
-    ew_depth_input_release(gl, &depth);
-    return EW_OK;
+        draw_quad(drawing);
+}
+
+/* Draws the plan on a grid. Returns false if the context has no grids; then nothing is drawn. */
+static bool draw_on_grid(ew_grid *grid, const ew_drawing *drawing, ew_gl_state *state)
+{
+    const ew_gl *gl = drawing->gl;
+    const ew_target *target = &drawing->plan->target;
+    ew_gl_begin_grid(gl, state);
+    bool is_filled = ew_grid_fill(grid, drawing);
+    gl->BindFramebuffer(GL_DRAW_FRAMEBUFFER, target->framebuffer);
+    ew_gl_set_blend(gl, target->blend != EW_BLEND_REPLACE);
+    ew_gl_clip_to(gl, state, &target->viewport);
+    if (is_filled)
+        ew_grid_draw(grid, drawing);
+    else
+        ew_gl_set_viewport(gl, &target->viewport);
+    return is_filled;
 }
 
 /* ---- Plans ---- */
@@ -154,6 +139,66 @@ typedef struct plan_task {
     bool *is_ready; /* NULL: draw; else prepare */
 } plan_task;
 
+/* Finds the program of a pass: a ready one or, where plans are prepared, maybe none yet. */
+static ew_result find_program(ew_device *device, const plan_task *task, ew_pass pass, unsigned key, ew_pass_programs *programs,
+                              ew_error *error)
+{
+    ew_program_cache *cache = &device->programs[pass];
+    unsigned pass_key = ew_permutation_of_pass(pass, key);
+    return task->is_ready
+               ? ew_program_prepare(cache, &device->gl, task->allocator, pass_key, &programs->names[pass], error)
+               : ew_program_get(cache, &device->gl, task->allocator, pass_key, &programs->names[pass], error);
+}
+
+/* Finds the programs of all passes; `are_ready` says whether there are any to wait for. */
+static ew_result find_programs(ew_device *device, const plan_task *task, bool on_grid, unsigned key, ew_pass_programs *programs,
+                               bool *are_ready, ew_error *error)
+{
+    *are_ready = true;
+    for (int pass = 0; pass < EW_PASS_COUNT; ++pass) {
+        if ((pass == EW_PASS_WAVE) == on_grid) continue;
+        ew_result result = find_program(device, task, (ew_pass)pass, key, programs, error);
+        if (result != EW_OK) return result;
+        *are_ready = *are_ready && programs->names[pass] != 0;
+    }
+    return EW_OK;
+}
+
+/* Draws with uniforms and depth bound. */
+static ew_result draw_bound(ew_device *device, const plan_task *task, bool on_grid, unsigned key, ew_drawing *drawing,
+                            ew_gl_state *state, ew_error *error)
+{
+    if (on_grid && draw_on_grid(&device->grid, drawing, state)) return EW_OK;
+    if (on_grid) {
+        ew_result result = find_program(device, task, EW_PASS_WAVE, key, &drawing->programs, error);
+        if (result != EW_OK || drawing->programs.names[EW_PASS_WAVE] == 0) return result;
+    }
+    draw_every_pixel(drawing);
+    return EW_OK;
+}
+
+static ew_result draw(ew_device *device, const plan_task *task, bool on_grid, unsigned key, ew_depth_kind depth_kind,
+                      ew_drawing *drawing, ew_gl_state *state, ew_error *error)
+{
+    const ew_gl *gl = &device->gl;
+    ew_depth_input depth;
+    ew_result result = ew_depth_input_bind(&device->depth_copy, gl, task->plan, depth_kind, &depth, error);
+    if (result != EW_OK) return result;
+    gl->BindSampler(EW_GL_DEPTH_TEXTURE_UNIT, device->depth_sampler);
+    fill_uniform_buffer(device, task->plan);
+    gl->BindBufferBase(GL_UNIFORM_BUFFER, EW_GL_UNIFORM_BINDING, device->uniform_buffer);
+    /* Vertex arrays are not shared between contexts, and one without attributes costs nothing to make. */
+    GLuint vertex_array;
+    gl->GenVertexArrays(1, &vertex_array);
+    gl->BindVertexArray(vertex_array);
+    drawing->depth = &depth;
+    result = draw_bound(device, task, on_grid, key, drawing, state, error);
+    gl->DeleteVertexArrays(1, &vertex_array);
+    gl->ActiveTexture(GL_TEXTURE0 + EW_GL_DEPTH_TEXTURE_UNIT);
+    ew_depth_input_release(gl, &depth);
+    return result;
+}
+
 static ew_result draw_in_state(ew_device *device, const plan_task *task, ew_gl_state *state, ew_error *error)
 {
     const ew_gl *gl = &device->gl;
@@ -165,12 +210,11 @@ static ew_result draw_in_state(ew_device *device, const plan_task *task, ew_gl_s
 
     ew_depth_kind depth = ew_depth_input_kind(gl, &plan->depth);
     unsigned key = ew_permutation_with_depth(plan->permutation, depth);
-    GLuint program;
-    ew_result result = task->is_ready ? ew_program_prepare(&device->programs, gl, task->allocator, key, &program, error)
-                                      : ew_program_get(&device->programs, gl, task->allocator, key, &program, error);
-    if (result == EW_OK && program)
-        result = draw(device, plan, depth, program, task->is_ready ? OUTSIDE_VERTEX : QUAD_VERTEX, error);
-    if (result == EW_OK && task->is_ready) *task->is_ready = program != 0;
+    bool on_grid = plan->is_adaptive && gl->float_targets && !device->grid.is_refused, are_ready;
+    ew_drawing drawing = {.gl = gl, .plan = plan, .is_ahead = task->is_ready != NULL};
+    ew_result result = find_programs(device, task, on_grid, key, &drawing.programs, &are_ready, error);
+    if (result == EW_OK && are_ready) result = draw(device, task, on_grid, key, depth, &drawing, state, error);
+    if (result == EW_OK && task->is_ready) *task->is_ready = are_ready;
     return result;
 }
 

@@ -4,14 +4,16 @@
 
 #include "host/depth_input.h"
 #include "host/gl.h"
+#include "host/grid.h"
 #include "host/program_cache.h"
 #include "plan/plan.h"
 
 /* The GL objects of an effect, and the context's functions. */
 typedef struct ew_device {
     ew_gl gl;
-    ew_program_cache programs;
+    ew_program_cache programs[EW_PASS_COUNT];
     ew_depth_copy depth_copy;
+    ew_grid grid;
     GLuint depth_sampler; /* reads depth as it is, whatever the texture's own parameters say */
     GLuint uniform_buffer;
 } ew_device;

@@ -2,6 +2,7 @@
 #include "host/gl.h"
 
 #include "base/error.h"
+#include "model/layout.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -60,6 +61,9 @@ static bool has_extension(const ew_gl *gl, const char *name)
     return false;
 }
 
+/* A limit that the core profile dropped. */
+enum { ES_ALIASED_POINT_SIZE_RANGE = 0x846D };
+
 /* In place of a version: no version has the functions, only an extension. */
 enum { NEVER = 1000 };
 
@@ -113,6 +117,7 @@ static void find_unwanted_capabilities(ew_gl *gl)
     enum {
         COMPATIBILITY_ALPHA_TEST = 0x0BC0,
         COMPATIBILITY_POLYGON_STIPPLE = 0x0B42,
+        COMPATIBILITY_POINT_SMOOTH = 0x0B10,
         DEPTH_BOUNDS_TEST_EXT = 0x8890,
     };
     const struct {
@@ -134,6 +139,7 @@ static void find_unwanted_capabilities(ew_gl *gl)
         {GL_PRIMITIVE_RESTART, !gl->es},
         {COMPATIBILITY_ALPHA_TEST, gl->compatibility},
         {COMPATIBILITY_POLYGON_STIPPLE, gl->compatibility},
+        {COMPATIBILITY_POINT_SMOOTH, gl->compatibility},
         {DEPTH_BOUNDS_TEST_EXT, !gl->es && has_extension(gl, "GL_EXT_depth_bounds_test")},
     };
     for (size_t i = 0; i < sizeof candidates / sizeof candidates[0]; i++)
@@ -199,6 +205,10 @@ ew_result ew_gl_load(ew_gl *gl, ew_gl_function (*get_proc_address)(void *user, c
     gl->max_varying_vectors = (outputs < inputs ? outputs : inputs) / 4 - 1;
     gl->GetIntegerv(GL_MAX_DRAW_BUFFERS, &gl->max_draw_buffers);
     gl->software = ew_gl_is_software((const char *)gl->GetString(GL_RENDERER));
+    GLfloat point_sizes[2] = {0, 0};
+    gl->GetFloatv(gl->es ? ES_ALIASED_POINT_SIZE_RANGE : GL_POINT_SIZE_RANGE, point_sizes);
+    gl->float_targets = point_sizes[1] >= EW_CELL_SIZE * EW_BLOCK_CELLS &&
+                        (!gl->es || gl->version >= 32 || has_extension(gl, "GL_EXT_color_buffer_float"));
     gl->framebuffer_srgb = !gl->es || has_extension(gl, "GL_EXT_sRGB_write_control");
     gl->multisample = !gl->es || has_extension(gl, "GL_EXT_multisample_compatibility");
     gl->stencil_texturing = gl->version >= (gl->es ? 31 : 43) || has_extension(gl, "GL_ARB_stencil_texturing");

@@ -71,6 +71,7 @@
     X(PFNGLLINKPROGRAMPROC, LinkProgram)                                                                                       \
     X(PFNGLREADBUFFERPROC, ReadBuffer)                                                                                         \
     X(PFNGLSAMPLERPARAMETERIPROC, SamplerParameteri)                                                                           \
+    X(PFNGLSCISSORPROC, Scissor)                                                                                               \
     X(PFNGLSHADERSOURCEPROC, ShaderSource)                                                                                     \
     X(PFNGLTEXIMAGE2DPROC, TexImage2D)                                                                                         \
     X(PFNGLTEXPARAMETERIPROC, TexParameteri)                                                                                   \
@@ -96,7 +97,9 @@
     X(PFNGLGETTEXLEVELPARAMETERIVPROC, GetTexLevelParameteriv)                                                                 \
     X(PFNGLSAMPLEMASKIPROC, SampleMaski)
 /* One viewport of a viewport array. */
-#define EW_GL_VIEWPORT_ARRAY_FUNCTIONS(X) X(PFNGLVIEWPORTINDEXEDFPROC, ViewportIndexedf)
+#define EW_GL_VIEWPORT_ARRAY_FUNCTIONS(X)                                                                                      \
+    X(PFNGLSCISSORINDEXEDPROC, ScissorIndexed)                                                                                 \
+    X(PFNGLVIEWPORTINDEXEDFPROC, ViewportIndexedf)
 /* Program pipelines. */
 #define EW_GL_PIPELINE_FUNCTIONS(X)                                                                                            \
     X(PFNGLACTIVESHADERPROGRAMPROC, ActiveShaderProgram)                                                                       \
@@ -136,6 +139,7 @@ typedef struct ew_gl {
     GLint max_uniform_block_size;
     GLint max_varying_vectors; /* from the vertex to the fragment shader, besides gl_Position */
     GLint max_draw_buffers;
+    bool float_targets;     /* textures of floats can be drawn to, and points be as large as a block of the grid */
     bool framebuffer_srgb;  /* GL_FRAMEBUFFER_SRGB can be enabled and disabled */
     bool multisample;       /* GL_MULTISAMPLE can be enabled and disabled */
     bool stencil_texturing; /* textures have GL_DEPTH_STENCIL_TEXTURE_MODE */

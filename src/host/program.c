@@ -25,42 +25,51 @@ static GLuint compile(const ew_gl *gl, GLenum stage, const ew_shader_text *text)
     return shader;
 }
 
-static GLuint compile_vertex_shader(const ew_gl *gl, unsigned key)
+static GLuint compile_vertex_shader(const ew_gl *gl, ew_pass pass, unsigned key)
 {
     const ew_dialect dialect = ew_gl_dialect(gl);
     ew_shader_text text;
-    ew_write_vertex_shader(&text, &dialect, key);
+    ew_write_vertex_shader(&text, &dialect, pass, key);
     return compile(gl, GL_VERTEX_SHADER, &text);
 }
 
-static GLuint compile_fragment_shader(const ew_gl *gl, unsigned key, const ew_integrator_text *integrator)
+static GLuint compile_fragment_shader(const ew_gl *gl, ew_pass pass, unsigned key, const ew_integrator_text *integrator)
 {
     const ew_dialect dialect = ew_gl_dialect(gl);
     ew_shader_text text;
     if (integrator)
         ew_write_fragment_shader_with(&text, &dialect, key, integrator);
     else
-        ew_write_fragment_shader(&text, &dialect, key);
+        ew_write_fragment_shader(&text, &dialect, pass, key);
     return compile(gl, GL_FRAGMENT_SHADER, &text);
 }
 
 static void assign_bindings(const ew_gl *gl, GLuint program)
 {
     gl->UniformBlockBinding(program, gl->GetUniformBlockIndex(program, "ew_uniforms"), EW_GL_UNIFORM_BINDING);
-    GLint depth = gl->GetUniformLocation(program, "ew_depth_texture");
-    if (depth >= 0) {
-        gl->UseProgram(program);
-        gl->Uniform1i(depth, EW_GL_DEPTH_TEXTURE_UNIT);
+    static const struct {
+        const char *name;
+        GLint unit;
+    } textures[] = {{"ew_depth_texture", EW_GL_DEPTH_TEXTURE_UNIT},
+                    {"ew_node_texture", EW_GL_NODE_TEXTURE_UNIT},
+                    {"ew_field_texture", EW_GL_FIELD_TEXTURE_UNIT},
+                    {"ew_cell_texture", EW_GL_CELL_TEXTURE_UNIT},
+                    {"ew_block_texture", EW_GL_BLOCK_TEXTURE_UNIT},
+                    {"ew_peak_texture", EW_GL_BLOCK_TEXTURE_UNIT}};
+    gl->UseProgram(program);
+    for (size_t i = 0; i < sizeof textures / sizeof textures[0]; ++i) {
+        GLint location = gl->GetUniformLocation(program, textures[i].name);
+        if (location >= 0) gl->Uniform1i(location, textures[i].unit);
     }
 }
 
-ew_result ew_program_start(const ew_gl *gl, unsigned key, const ew_integrator_text *integrator, ew_program *program,
+ew_result ew_program_start(const ew_gl *gl, ew_pass pass, unsigned key, const ew_integrator_text *integrator, ew_program *program,
                            ew_error *error)
 {
     ew_program made = {
         .name = gl->CreateProgram(),
-        .vertex_shader = compile_vertex_shader(gl, key),
-        .fragment_shader = compile_fragment_shader(gl, key, integrator),
+        .vertex_shader = compile_vertex_shader(gl, pass, key),
+        .fragment_shader = compile_fragment_shader(gl, pass, key, integrator),
     };
     if (!made.name || !made.vertex_shader || !made.fragment_shader) {
         ew_program_destroy(gl, &made);

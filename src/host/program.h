@@ -17,7 +17,7 @@ typedef struct ew_program {
 } ew_program;
 
 /* Starts to make the program of `key`, with the library's own integrator (NULL) or another one. */
-ew_result ew_program_start(const ew_gl *gl, unsigned key, const ew_integrator_text *integrator, ew_program *program,
+ew_result ew_program_start(const ew_gl *gl, ew_pass pass, unsigned key, const ew_integrator_text *integrator, ew_program *program,
                            ew_error *error);
 
 /* Whether ew_program_finish would not wait, as far as the driver can tell. */

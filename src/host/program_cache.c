@@ -50,7 +50,7 @@ static ew_result start(ew_program_cache *cache, const ew_gl *gl, const ew_alloca
     if (result != EW_OK) return result;
     struct ew_cached_program *made = &cache->entries[cache->count];
     made->key = key;
-    result = ew_program_start(gl, key, NULL, &made->program, error);
+    result = ew_program_start(gl, cache->pass, key, NULL, &made->program, error);
     if (result != EW_OK) return result;
     cache->count++;
     *entry = made;
@@ -99,5 +99,5 @@ void ew_program_cache_destroy(ew_program_cache *cache, const ew_gl *gl, const ew
     for (size_t i = 0; i < cache->count; ++i)
         ew_program_destroy(gl, &cache->entries[i].program);
     if (cache->entries) allocator->deallocate(allocator->user, cache->entries);
-    *cache = (ew_program_cache){0};
+    *cache = (ew_program_cache){.pass = cache->pass};
 }

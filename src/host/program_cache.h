@@ -4,7 +4,9 @@
 
 #include "host/program.h"
 
+/* The programs of one pass. */
 typedef struct ew_program_cache {
+    ew_pass pass;
     struct ew_cached_program {
         unsigned key;
         ew_program program;

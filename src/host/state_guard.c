@@ -3,8 +3,8 @@
 
 #include "base/error.h"
 
-/* A target of glClampColor that the core profile dropped. */
-enum { COMPATIBILITY_CLAMP_FRAGMENT_COLOR = 0x891B };
+/* Names that the core profile dropped. */
+enum { COMPATIBILITY_CLAMP_FRAGMENT_COLOR = 0x891B, COMPATIBILITY_POINT_SPRITE = 0x8861 };
 
 static GLint get_integer(const ew_gl *gl, GLenum name)
 {
@@ -78,13 +78,15 @@ ew_result ew_gl_save_state(const ew_gl *gl, ew_gl_state *state, ew_error *error)
     save_uniform_binding(gl, &state->uniform_binding);
 
     state->active_texture = (GLenum)get_integer(gl, GL_ACTIVE_TEXTURE);
-    gl->ActiveTexture(GL_TEXTURE0 + EW_GL_DEPTH_TEXTURE_UNIT);
-    state->texture = get_binding(gl, GL_TEXTURE_BINDING_2D, gl->IsTexture);
+    for (int unit = EW_GL_TEXTURE_UNIT_COUNT - 1; unit >= 0; --unit) {
+        gl->ActiveTexture(GL_TEXTURE0 + (GLenum)unit);
+        state->textures[unit] = get_binding(gl, GL_TEXTURE_BINDING_2D, gl->IsTexture);
+        state->samplers[unit] = get_binding(gl, GL_SAMPLER_BINDING, gl->IsSampler);
+    }
     if (gl->SampleMaski) {
         state->multisampled_texture = get_binding(gl, GL_TEXTURE_BINDING_2D_MULTISAMPLE, gl->IsTexture);
         gl->GetIntegeri_v(GL_SAMPLE_MASK_VALUE, 0, &state->sample_mask);
     }
-    state->sampler = get_binding(gl, GL_SAMPLER_BINDING, gl->IsSampler);
 
     state->draw_framebuffer = (GLuint)get_integer(gl, GL_DRAW_FRAMEBUFFER_BINDING);
     state->read_framebuffer = (GLuint)get_integer(gl, GL_READ_FRAMEBUFFER_BINDING);
@@ -112,6 +114,9 @@ ew_result ew_gl_save_state(const ew_gl *gl, ew_gl_state *state, ew_error *error)
     if (gl->ClampColor) state->clamp_fragment_color = (GLenum)get_integer(gl, COMPATIBILITY_CLAMP_FRAGMENT_COLOR);
     if (gl->multisample) state->multisample = gl->IsEnabled(GL_MULTISAMPLE);
     if (gl->framebuffer_srgb) state->framebuffer_srgb = gl->IsEnabled(GL_FRAMEBUFFER_SRGB);
+    if (!gl->es) state->program_point_size = gl->IsEnabled(GL_PROGRAM_POINT_SIZE);
+    if (gl->compatibility) state->point_sprite = gl->IsEnabled(COMPATIBILITY_POINT_SPRITE);
+    state->is_scissor_changed = false;
     for (int i = 0; i < gl->unwanted_capability_count; i++)
         state->capabilities[i] = gl->IsEnabled(gl->unwanted_capabilities[i]);
     return EW_OK;
@@ -138,7 +143,13 @@ static void set_viewport(const ew_gl *gl, const GLfloat viewport[4])
         gl->Viewport((GLint)viewport[0], (GLint)viewport[1], (GLsizei)viewport[2], (GLsizei)viewport[3]);
 }
 
-static void set_blend(const ew_gl *gl, bool blend)
+void ew_gl_set_viewport(const ew_gl *gl, const ew_viewport *viewport)
+{
+    set_viewport(gl, (const GLfloat[4]){(GLfloat)viewport->x, (GLfloat)viewport->y, (GLfloat)viewport->width,
+                                        (GLfloat)viewport->height});
+}
+
+void ew_gl_set_blend(const ew_gl *gl, bool blend)
 {
     if (gl->Enablei)
         (blend ? gl->Enablei : gl->Disablei)(GL_BLEND, 0);
@@ -199,7 +210,7 @@ void ew_gl_set_draw_state(const ew_gl *gl, ew_gl_state *state, const ew_gl_draw_
     set_viewport(gl, (const GLfloat[4]){(GLfloat)draw->viewport[0], (GLfloat)draw->viewport[1], (GLfloat)draw->viewport[2],
                                         (GLfloat)draw->viewport[3]});
 
-    set_blend(gl, draw->blend);
+    ew_gl_set_blend(gl, draw->blend);
     /* Set even without blending: an advanced equation, or a factor of a second colour, may be an error all the same. */
     set_blend_factors(gl, draw->source_rgb, draw->destination_rgb, draw->source_alpha, draw->destination_alpha);
     set_blend_equation(gl, GL_FUNC_ADD, GL_FUNC_ADD);
@@ -209,6 +220,56 @@ void ew_gl_set_draw_state(const ew_gl *gl, ew_gl_state *state, const ew_gl_draw_
     if (gl->framebuffer_srgb) set_capability(gl, GL_FRAMEBUFFER_SRGB, draw->framebuffer_srgb);
     for (int i = 0; i < gl->unwanted_capability_count; i++)
         if (state->capabilities[i]) gl->Disable(gl->unwanted_capabilities[i]);
+}
+
+/* Scissors come in arrays where viewports do, and the effect draws with the first. */
+static bool has_scissor(const ew_gl *gl)
+{
+    return gl->ScissorIndexed && gl->IsEnabledi ? gl->IsEnabledi(GL_SCISSOR_TEST, 0) : gl->IsEnabled(GL_SCISSOR_TEST);
+}
+
+static void set_scissor(const ew_gl *gl, bool on, const GLint box[4])
+{
+    if (gl->ScissorIndexed && gl->Enablei) {
+        (on ? gl->Enablei : gl->Disablei)(GL_SCISSOR_TEST, 0);
+        gl->ScissorIndexed(0, box[0], box[1], box[2], box[3]);
+    } else {
+        set_capability(gl, GL_SCISSOR_TEST, on);
+        gl->Scissor(box[0], box[1], box[2], box[3]);
+    }
+}
+
+void ew_gl_begin_grid(const ew_gl *gl, ew_gl_state *state)
+{
+    state->is_scissor_changed = true;
+    state->scissor_test = has_scissor(gl);
+    gl->GetIntegerv(GL_SCISSOR_BOX, state->scissor);
+    set_scissor(gl, false, state->scissor);
+    if (!gl->es) gl->Enable(GL_PROGRAM_POINT_SIZE);
+    if (gl->compatibility) gl->Enable(COMPATIBILITY_POINT_SPRITE);
+}
+
+static int larger(int a, int b)
+{
+    return a > b ? a : b;
+}
+
+static int smaller(int a, int b)
+{
+    return a < b ? a : b;
+}
+
+void ew_gl_clip_to(const ew_gl *gl, const ew_gl_state *state, const ew_viewport *viewport)
+{
+    GLint left = viewport->x, bottom = viewport->y, right = left + viewport->width, top = bottom + viewport->height;
+    const GLint *host = state->scissor;
+    if (state->scissor_test) {
+        left = larger(left, host[0]);
+        bottom = larger(bottom, host[1]);
+        right = smaller(right, host[0] + host[2]);
+        top = smaller(top, host[1] + host[3]);
+    }
+    set_scissor(gl, true, (const GLint[4]){left, bottom, larger(right - left, 0), larger(top - bottom, 0)});
 }
 
 static void restore_uniform_binding(const ew_gl *gl, const ew_gl_state *state)
@@ -225,6 +286,7 @@ static void restore_uniform_binding(const ew_gl *gl, const ew_gl_state *state)
 void ew_gl_restore_objects(const ew_gl *gl, const ew_gl_state *state)
 {
     if (state->draw_buffer_count > 0) gl->DrawBuffers(state->draw_buffer_count, state->draw_buffers);
+    if (state->is_scissor_changed) set_scissor(gl, state->scissor_test, state->scissor);
 }
 
 void ew_gl_restore_state(const ew_gl *gl, const ew_gl_state *state)
@@ -233,6 +295,8 @@ void ew_gl_restore_state(const ew_gl *gl, const ew_gl_state *state)
     for (int i = 0; i < gl->unwanted_capability_count; i++)
         if (state->capabilities[i]) gl->Enable(gl->unwanted_capabilities[i]);
     if (gl->framebuffer_srgb) set_capability(gl, GL_FRAMEBUFFER_SRGB, state->framebuffer_srgb);
+    if (!gl->es) set_capability(gl, GL_PROGRAM_POINT_SIZE, state->program_point_size);
+    if (gl->compatibility) set_capability(gl, COMPATIBILITY_POINT_SPRITE, state->point_sprite);
     if (gl->multisample) set_capability(gl, GL_MULTISAMPLE, state->multisample);
     if (gl->ClampColor) gl->ClampColor(COMPATIBILITY_CLAMP_FRAGMENT_COLOR, state->clamp_fragment_color);
     if (gl->PolygonMode) {
@@ -247,18 +311,20 @@ void ew_gl_restore_state(const ew_gl *gl, const ew_gl_state *state)
     set_blend_equation(gl, state->blend_equation_rgb, state->blend_equation_alpha);
     set_blend_factors(gl, state->blend_source_rgb, state->blend_destination_rgb, state->blend_source_alpha,
                       state->blend_destination_alpha);
-    set_blend(gl, state->blend);
+    ew_gl_set_blend(gl, state->blend);
     set_viewport(gl, state->viewport);
     gl->BindFramebuffer(GL_DRAW_FRAMEBUFFER, state->draw_framebuffer);
     gl->BindFramebuffer(GL_READ_FRAMEBUFFER, state->read_framebuffer);
 
-    gl->ActiveTexture(GL_TEXTURE0 + EW_GL_DEPTH_TEXTURE_UNIT);
-    gl->BindTexture(GL_TEXTURE_2D, state->texture);
+    for (int unit = EW_GL_TEXTURE_UNIT_COUNT - 1; unit >= 0; --unit) {
+        gl->ActiveTexture(GL_TEXTURE0 + (GLenum)unit);
+        gl->BindTexture(GL_TEXTURE_2D, state->textures[unit]);
+        gl->BindSampler((GLuint)unit, state->samplers[unit]);
+    }
     if (gl->SampleMaski) {
         gl->BindTexture(GL_TEXTURE_2D_MULTISAMPLE, state->multisampled_texture);
         gl->SampleMaski(0, (GLbitfield)state->sample_mask);
     }
-    gl->BindSampler(EW_GL_DEPTH_TEXTURE_UNIT, state->sampler);
     gl->ActiveTexture(state->active_texture);
 
     restore_uniform_binding(gl, state);

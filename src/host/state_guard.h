@@ -4,6 +4,7 @@
 
 #include "host/binding_points.h"
 #include "host/gl.h"
+#include "model/rays.h"
 
 /* GL has enumerators for this many. */
 enum { EW_GL_MAX_DRAW_BUFFERS = 16 };
@@ -22,9 +23,9 @@ typedef struct ew_gl_state {
     GLuint uniform_buffer;
     ew_gl_buffer_binding uniform_binding;
     GLenum active_texture;
-    GLuint texture;
-    GLuint multisampled_texture;
-    GLuint sampler;
+    GLuint textures[EW_GL_TEXTURE_UNIT_COUNT]; /* GL_TEXTURE_2D */
+    GLuint samplers[EW_GL_TEXTURE_UNIT_COUNT];
+    GLuint multisampled_texture; /* of the depth's unit */
     GLuint draw_framebuffer;
     GLuint read_framebuffer;
     GLenum draw_buffers[EW_GL_MAX_DRAW_BUFFERS]; /* of the framebuffer that the effect draws to */
@@ -39,6 +40,11 @@ typedef struct ew_gl_state {
     GLint sample_mask;
     bool multisample;
     bool framebuffer_srgb;
+    bool program_point_size;
+    bool point_sprite; /* of the compatibility profile: points are squares */
+    bool is_scissor_changed;
+    bool scissor_test;
+    GLint scissor[4];
     bool capabilities[EW_GL_MAX_CAPABILITIES];
 } ew_gl_state;
 
@@ -73,6 +79,16 @@ void ew_gl_assume_state(const ew_gl *gl, ew_gl_state *state);
  * the restore, the caller may change GL_MULTISAMPLE, GL_SAMPLE_MASK and word 0 of the mask; it must switch GL_SAMPLE_MASK
  * off again. */
 void ew_gl_set_draw_state(const ew_gl *gl, ew_gl_state *state, const ew_gl_draw_state *draw);
+
+/* Changes what is set, for passes to other targets. */
+void ew_gl_set_viewport(const ew_gl *gl, const ew_viewport *viewport);
+void ew_gl_set_blend(const ew_gl *gl, bool blend);
+
+/* Lets points have the size that the shader gives them, and switches the host's scissor off. */
+void ew_gl_begin_grid(const ew_gl *gl, ew_gl_state *state);
+
+/* Confines drawing to a viewport of the target, and to the host's scissor again. */
+void ew_gl_clip_to(const ew_gl *gl, const ew_gl_state *state, const ew_viewport *viewport);
 
 /* Restores the host's objects. The effect's framebuffer must still be bound for drawing. */
 void ew_gl_restore_objects(const ew_gl *gl, const ew_gl_state *state);

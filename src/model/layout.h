@@ -20,6 +20,7 @@ typedef struct ew_ivec4 {
 struct ew_uniform_head {
     struct ew_frame_block frame;
     int source_counts[4 * EW_COUNT_VECTORS]; /* by kind */
+    struct ew_grid_block grid;
 };
 
 #endif

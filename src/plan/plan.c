@@ -14,6 +14,12 @@ static double panel_tolerance(ew_quality quality)
     return tolerances[quality];
 }
 
+/* How much interpolation may add to that, relative to the light; a third of what the quality is named by. */
+static double interpolation_tolerance(ew_quality quality)
+{
+    return 0.35 * panel_tolerance(quality);
+}
+
 static ew_viewport viewport_of(const ew_frame_desc *frame)
 {
     return (ew_viewport){frame->viewport_x, frame->viewport_y, frame->viewport_width, frame->viewport_height};
@@ -37,6 +43,8 @@ static void pack_viewport(ew_plan *plan, const ew_frame_desc *frame, const ew_in
     ew_pack_rays(&view, interval, unit, &viewport, block);
     double growth = core_growth_of(frame);
     block->core_floor.x = ew_is_parallel(&view) ? 0 : (float)(growth * growth);
+    plan->uniforms.grid.viewport = (ew_ivec4){viewport.x, viewport.y, viewport.width, viewport.height};
+    plan->uniforms.grid.tolerance = (ew_vec4){(float)interpolation_tolerance(frame->quality), 0.03f, 0, 0};
     block->core_floor.z = ew_is_parallel(&view) ? (float)(growth * growth / (unit * unit)) : 0;
 }
 
@@ -116,6 +124,16 @@ static ew_blend blend_of(ew_output output)
     }
 }
 
+/* Below this number of pixels, the passes of a grid cost more than they save. */
+enum { MIN_ADAPTIVE_PIXELS = 256 * 256 };
+
+static bool is_adaptive(const ew_frame_desc *frame)
+{
+    return frame->resolution == EW_RESOLUTION_ADAPTIVE && frame->integrator == EW_INTEGRATOR_ADAPTIVE &&
+           frame->output != EW_OUTPUT_EVALUATIONS &&
+           (double)frame->viewport_width * frame->viewport_height >= MIN_ADAPTIVE_PIXELS;
+}
+
 ew_result ew_plan_frame(ew_plan *plan, ew_sources *sources, const ew_mix *mix, const ew_frame_desc *frame, ew_error *error)
 {
     *plan = (ew_plan){0};
@@ -132,6 +150,7 @@ ew_result ew_plan_frame(ew_plan *plan, ew_sources *sources, const ew_mix *mix, c
     plan->permutation = ew_permutation_of(mix ? mix : &current, frame);
     plan->target = (ew_target){frame->framebuffer, viewport, blend_of(frame->output), frame->encoding == EW_ENCODING_SRGB_8BIT};
     plan->depth = (ew_depth_request){frame->depth_source, frame->depth_texture};
+    plan->is_adaptive = is_adaptive(frame);
     plan->skips_restore = frame->skip_restore;
     return EW_OK;
 }

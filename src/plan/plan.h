@@ -37,6 +37,7 @@ typedef struct ew_plan {
     size_t source_data_size;
     ew_target target;
     ew_depth_request depth;
+    bool is_adaptive; /* in resolution */
     bool skips_restore;
 } ew_plan;
 

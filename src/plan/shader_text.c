@@ -187,20 +187,22 @@ static void add_kinds(ew_shader_text *text, unsigned key, const ew_integrator_te
 
 /* ---- Whole shaders ---- */
 
+static const char *const nothing_before[] = {NULL};
+
 static const ew_integrator_text *integrator_of(unsigned key)
 {
     static const char *const adaptive_before[] = {ew_glsl_quadrature_glsl, NULL};
-    static const char *const simpson_before[] = {NULL};
     static const ew_integrator_text adaptive = {adaptive_before, NULL, false};
-    static const ew_integrator_text simpson = {simpson_before, ew_glsl_simpson_glsl, true};
+    static const ew_integrator_text simpson = {nothing_before, ew_glsl_simpson_glsl, true};
     return key & EW_PERMUTATION_SIMPSON ? &simpson : &adaptive;
 }
 
 /* The light along a segment of a ray. */
-static void add_light(ew_shader_text *text, unsigned key, const ew_integrator_text *integrator)
+static void add_light(ew_shader_text *text, unsigned key, const ew_integrator_text *integrator, bool has_grid)
 {
     add_file(text, ew_glsl_layout_glsl);
     add_file(text, ew_glsl_blocks_glsl);
+    if (has_grid) add_file(text, ew_glsl_grid_glsl);
     add_readers(text, key);
     add_file(text, ew_glsl_segment_glsl);
     add_file(text, ew_glsl_core_glsl);
@@ -224,34 +226,117 @@ static void start(ew_shader_text *text, bool numbers_lines)
     text->numbers_lines = numbers_lines;
 }
 
-void ew_write_vertex_shader(ew_shader_text *text, const ew_dialect *dialect, unsigned key)
+static bool integrates(ew_pass pass)
+{
+    return pass == EW_PASS_WAVE || pass == EW_PASS_NODES || pass == EW_PASS_FIELD || pass == EW_PASS_CELLS;
+}
+
+static bool draws_patches(ew_pass pass)
+{
+    return pass == EW_PASS_CELLS || pass == EW_PASS_INTERPOLATION;
+}
+
+unsigned ew_permutation_of_pass(ew_pass pass, unsigned key)
+{
+    const unsigned target =
+        EW_PERMUTATION_LUMINANCE | EW_PERMUTATION_DITHER | EW_PERMUTATION_DITHER_SRGB | EW_PERMUTATION_SOFT;
+    switch (pass) {
+    case EW_PASS_NODES:
+        return key & ~target;
+    case EW_PASS_FIELD:
+        return key & ~(target | EW_PERMUTATION_SHARPNESS);
+    case EW_PASS_PEAK:
+        return 0;
+    case EW_PASS_CLASSES:
+        return key & (EW_PERMUTATION_DEPTH | EW_PERMUTATION_DEPTH_MULTISAMPLE | EW_PERMUTATION_WORLD);
+    case EW_PASS_INTERPOLATION:
+        return key & target;
+    default:
+        return key;
+    }
+}
+
+static void start_stage(ew_shader_text *text, const ew_dialect *dialect, ew_pass pass, unsigned key)
 {
     start(text, true);
     add_version(text, dialect, key);
     add_defines(text, dialect, key);
-    add_software_defines(text, dialect, key);
+    if (integrates(pass)) add_software_defines(text, dialect, key);
+}
+
+void ew_write_vertex_shader(ew_shader_text *text, const ew_dialect *dialect, ew_pass pass, unsigned key)
+{
+    start_stage(text, dialect, pass, key);
     add(text, "#define EW_VERTEX_STAGE\n");
+    if (pass == EW_PASS_INTERPOLATION) add(text, "#define EW_INTERPOLATED\n");
     add_file(text, ew_glsl_layout_glsl);
     add_file(text, ew_glsl_blocks_glsl);
-    add_file(text, ew_glsl_quad_vert);
+    if (draws_patches(pass)) add_file(text, ew_glsl_grid_glsl);
+    if (pass == EW_PASS_INTERPOLATION) {
+        add_file(text, ew_glsl_patch_glsl);
+        add_file(text, ew_glsl_fit_glsl);
+    }
+    add_file(text, draws_patches(pass) ? ew_glsl_patch_vert : ew_glsl_quad_vert);
+}
+
+static void add_target_files(ew_shader_text *text, unsigned key)
+{
+    add_file(text, ew_glsl_composite_glsl);
+    if (key & EW_PERMUTATION_DITHER) add_file(text, ew_glsl_dither_glsl);
+}
+
+static void add_depth(ew_shader_text *text, unsigned key)
+{
+    if (key & EW_PERMUTATION_DEPTH) add_file(text, ew_glsl_depth_glsl);
+}
+
+static void write_integrating_shader(ew_shader_text *text, const ew_dialect *dialect, ew_pass pass, unsigned key,
+                                     const ew_integrator_text *integrator)
+{
+    const bool is_of_nodes = pass == EW_PASS_NODES || pass == EW_PASS_FIELD;
+    start_stage(text, dialect, pass, key);
+    if (is_of_nodes) add(text, "#define EW_NODE_STAGE\n");
+    if (pass == EW_PASS_FIELD) add(text, "#define EW_FIELD\n");
+    add_light(text, key, integrator, is_of_nodes);
+    add_depth(text, key);
+    add_file(text, ew_glsl_ray_glsl);
+    if (is_of_nodes) {
+        add_file(text, ew_glsl_node_frag);
+        return;
+    }
+    add_target_files(text, key);
+    add_file(text, ew_glsl_wave_frag);
 }
 
 void ew_write_fragment_shader_with(ew_shader_text *text, const ew_dialect *dialect, unsigned key,
                                    const ew_integrator_text *integrator)
 {
-    start(text, true);
-    add_version(text, dialect, key);
-    add_defines(text, dialect, key);
-    add_software_defines(text, dialect, key);
-    add_light(text, key, integrator);
-    if (key & EW_PERMUTATION_DEPTH) add_file(text, ew_glsl_depth_glsl);
-    if (key & EW_PERMUTATION_DITHER) add_file(text, ew_glsl_dither_glsl);
-    add_file(text, ew_glsl_wave_frag);
+    write_integrating_shader(text, dialect, EW_PASS_WAVE, key, integrator);
 }
 
-void ew_write_fragment_shader(ew_shader_text *text, const ew_dialect *dialect, unsigned key)
+void ew_write_fragment_shader(ew_shader_text *text, const ew_dialect *dialect, ew_pass pass, unsigned key)
 {
-    ew_write_fragment_shader_with(text, dialect, key, integrator_of(key));
+    if (integrates(pass)) {
+        static const ew_integrator_text field = {nothing_before, ew_glsl_field_glsl, true};
+        write_integrating_shader(text, dialect, pass, key, pass == EW_PASS_FIELD ? &field : integrator_of(key));
+        return;
+    }
+    start_stage(text, dialect, pass, key);
+    add_file(text, ew_glsl_layout_glsl);
+    if (pass == EW_PASS_PEAK) {
+        add_file(text, ew_glsl_peak_frag);
+        return;
+    }
+    add_file(text, ew_glsl_blocks_glsl);
+    add_depth(text, key);
+    add_file(text, ew_glsl_grid_glsl);
+    if (pass == EW_PASS_CLASSES) {
+        add_file(text, ew_glsl_classify_frag);
+        return;
+    }
+    add_file(text, ew_glsl_patch_glsl);
+    add_target_files(text, key);
+    add_file(text, ew_glsl_interpolate_frag);
 }
 
 void ew_write_include(ew_shader_text *text, const ew_dialect *dialect, unsigned key)
@@ -259,6 +344,6 @@ void ew_write_include(ew_shader_text *text, const ew_dialect *dialect, unsigned 
     start(text, false);
     add(text, "#ifdef GL_ES\nprecision highp float;\nprecision highp int;\n#endif\n");
     add_defines(text, dialect, key);
-    add_light(text, key, integrator_of(key));
+    add_light(text, key, integrator_of(key), false);
     add_file(text, ew_glsl_include_glsl);
 }

@@ -33,11 +33,26 @@ typedef struct ew_shader_text {
     int file_count;
 } ew_shader_text;
 
-void ew_write_vertex_shader(ew_shader_text *text, const ew_dialect *dialect, unsigned key);
+/* What a program draws: see glsl/pass/. */
+typedef enum ew_pass {
+    EW_PASS_WAVE,          /* every pixel of the viewport */
+    EW_PASS_NODES,         /* the light of the grid's nodes */
+    EW_PASS_FIELD,         /* the field where the nodes' rays end */
+    EW_PASS_PEAK,          /* the largest light of blocks of nodes */
+    EW_PASS_CLASSES,       /* the classes of the grid's cells */
+    EW_PASS_CELLS,         /* the pixels of the cells that must be integrated */
+    EW_PASS_INTERPOLATION, /* those of the other cells */
+    EW_PASS_COUNT,
+} ew_pass;
 
-void ew_write_fragment_shader(ew_shader_text *text, const ew_dialect *dialect, unsigned key);
+/* The part of a key that a pass depends on. */
+unsigned ew_permutation_of_pass(ew_pass pass, unsigned key);
 
-/* The same with an integrator that is none of the library's, for comparisons with it. */
+void ew_write_vertex_shader(ew_shader_text *text, const ew_dialect *dialect, ew_pass pass, unsigned key);
+
+void ew_write_fragment_shader(ew_shader_text *text, const ew_dialect *dialect, ew_pass pass, unsigned key);
+
+/* EW_PASS_WAVE with an integrator that is none of the library's, for comparisons with it. */
 void ew_write_fragment_shader_with(ew_shader_text *text, const ew_dialect *dialect, unsigned key,
                                    const ew_integrator_text *integrator);
 

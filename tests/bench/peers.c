@@ -53,7 +53,7 @@ static bool make_peer_program(const bench_peers *peers, integrator_family family
     unsigned key = ew_permutation_with_depth(ew_permutation_of(&mix, &frame),
                                              frame.depth_texture ? EW_DEPTH_KIND_SINGLE : EW_DEPTH_KIND_NONE);
     ew_error error;
-    ew_result result = ew_program_start(&peers->device.gl, key, text_of(family), program, &error);
+    ew_result result = ew_program_start(&peers->device.gl, EW_PASS_WAVE, key, text_of(family), program, &error);
     if (result == EW_OK) result = ew_program_finish(&peers->device.gl, program, &error);
     if (result != EW_OK) message_write(message, size, "%s: %s", integrator_family_names[family], error.text);
     return result == EW_OK;

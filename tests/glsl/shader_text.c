@@ -84,7 +84,7 @@ static unsigned with_kinds(unsigned key, unsigned kinds, size_t first)
 static void write_fragment_shader(const shader_profile *profile, unsigned key)
 {
     ew_shader_text text;
-    ew_write_fragment_shader(&text, &profile->dialect, key);
+    ew_write_fragment_shader(&text, &profile->dialect, EW_PASS_WAVE, key);
     write_strings(profile->name, "", key, "frag", text.strings, text.count);
 }
 
@@ -92,7 +92,7 @@ static void write_permutation(const shader_profile *profile, unsigned key)
 {
     ew_shader_text text;
     write_fragment_shader(profile, key);
-    ew_write_vertex_shader(&text, &profile->dialect, key);
+    ew_write_vertex_shader(&text, &profile->dialect, EW_PASS_WAVE, key);
     write_strings(profile->name, "", key, "vert", text.strings, text.count);
 }
 

@@ -1,0 +1,159 @@
+// The classes of patches: how their pixels get their light. Cells come first (ew_stride is 1), then blocks.
+
+// The largest light of the nodes.
+uniform sampler2D ew_peak_texture;
+// The field where the nodes' rays end.
+uniform sampler2D ew_field_texture;
+// The cells' classes, for blocks.
+uniform sampler2D ew_cell_texture;
+uniform int ew_stride;
+
+out vec4 ew_class;
+
+// How far the polynomial may be off the light, per fourth difference of the nodes. Where the light is smooth it is 1 / 384 (Hermite's
+// error); at a kink half way between two nodes, as at a reach or where the nearest point jumps, it is up to a third. That counts here:
+// it costs little, since differences fall as the fourth power of the distance from a core.
+const float EW_ERROR_OF_DIFFERENCE = 0.2;
+
+vec4 ew_fourth_difference(vec4 a, vec4 b, vec4 c, vec4 d, vec4 e)
+{
+    return abs(a - 4.0 * b + 6.0 * c - 4.0 * d + e);
+}
+
+// The largest fourth difference on the lines through the patch's edges.
+vec4 ew_edge_roughness(ivec2 first, int stride)
+{
+    vec4 most = vec4(0.0);
+    for (int axis = 0; axis < 2; ++axis)
+        for (int line = 0; line < 2; ++line) {
+            vec4 nodes[6];
+            for (int i = 0; i < 6; ++i)
+                nodes[i] = ew_node(first, stride, axis == 0 ? i - 2 : line, axis == 0 ? line : i - 2);
+            most = max(most, ew_fourth_difference(nodes[0], nodes[1], nodes[2], nodes[3], nodes[4]));
+            most = max(most, ew_fourth_difference(nodes[1], nodes[2], nodes[3], nodes[4], nodes[5]));
+        }
+    return most;
+}
+
+vec4 ew_second_difference(ivec2 first, int stride, int x, int y)
+{
+    return ew_node(first, stride, x - 1, y) - 2.0 * ew_node(first, stride, x, y) + ew_node(first, stride, x + 1, y);
+}
+
+// How much the mixed differences at the corners differ, of which the polynomial takes the mean.
+vec4 ew_mixed_roughness(ivec2 first, int stride)
+{
+    vec4 least = vec4(1e30), most = vec4(-1e30);
+    for (int y = 0; y < 2; ++y)
+        for (int x = 0; x < 2; ++x) {
+            vec4 mixed = ew_second_difference(first, stride, x, y - 1) - 2.0 * ew_second_difference(first, stride, x, y)
+                         + ew_second_difference(first, stride, x, y + 1);
+            least = min(least, mixed);
+            most = max(most, mixed);
+        }
+    return most - least;
+}
+
+// The largest field at a patch's corners.
+float ew_field(ivec2 first, int stride)
+{
+    float most = 0.0;
+    for (int i = 0; i < 4; ++i)
+        most = max(most, texelFetch(ew_field_texture, first + stride * ivec2(i & 1, i >> 1), 0).r);
+    return most;
+}
+
+#ifdef EW_DEPTH
+#ifdef EW_DEPTH_MULTISAMPLE
+#define EW_SAMPLE_COUNT ew_samples.y
+#define EW_WINDOW_DEPTH(place, i) ew_window_depth(place, i)
+#else
+#define EW_SAMPLE_COUNT 1
+#define EW_WINDOW_DEPTH(place, i) ew_window_depth(place)
+#endif
+
+// The surfaces of a patch, along the rays and in ray space.
+struct ew_relief {
+    float step;  // how far they are off the plane through the patch's corners
+    float apart; // how far the samples of a pixel are apart
+    float width; // how wide a cell is there
+};
+
+// Looks at `count` x `count` pixels that are `pitch` apart, and at those beside them.
+ew_relief ew_find_relief(ivec2 first_pixel, int count, int pitch)
+{
+    ivec2 origin = ew_grid.viewport.xy;
+    ivec2 last = ew_grid.viewport.zw - 1;
+    ivec2 first = min(first_pixel, last);
+    ivec2 end = min(first_pixel + count * pitch, last);
+    vec2 size = vec2(max(end - first, 1));
+    float d00 = EW_WINDOW_DEPTH(origin + first, 0);
+    float d10 = EW_WINDOW_DEPTH(origin + ivec2(end.x, first.y), 0);
+    float d01 = EW_WINDOW_DEPTH(origin + ivec2(first.x, end.y), 0);
+    float d11 = EW_WINDOW_DEPTH(origin + end, 0);
+    float off = 0.0, apart = 0.0, nearest = d00, farthest = d00;
+    bool are_numbers = true;
+    for (int y = 0; y <= count; ++y)
+        for (int x = 0; x <= count; ++x) {
+            ivec2 place = min(first + pitch * ivec2(x, y), last);
+            vec2 part = vec2(place - first) / size;
+            float plane = mix(mix(d00, d10, part.x), mix(d01, d11, part.x), part.y);
+            float first_depth = EW_WINDOW_DEPTH(origin + place, 0);
+            for (int i = 0; i < EW_SAMPLE_COUNT; ++i) {
+                float depth = EW_WINDOW_DEPTH(origin + place, i);
+                off = max(off, abs(depth - plane));
+                apart = max(apart, abs(depth - first_depth));
+                nearest = min(nearest, depth);
+                farthest = max(farthest, depth);
+                are_numbers = are_numbers && (floatBitsToInt(depth) & 0x7fffffff) <= 0x7f800000;
+            }
+        }
+    vec2 pixel = vec2(origin + first) + 0.5 - ew_frame.pixel_center.xy;
+    vec2 ends = vec2(ew_parameter_of_depth(pixel, nearest), ew_parameter_of_depth(pixel, farthest));
+    float slope = max(ew_parameter_slope(pixel, nearest), ew_parameter_slope(pixel, farthest));
+    float most = are_numbers ? abs(ends.y - ends.x) * ew_span() : 1e30;
+    float width = float(EW_CELL_SIZE) * length(ew_frame.ray_up.xy + min(ends.x, ends.y) * ew_span() * ew_frame.ray_up.zw);
+    return ew_relief(min(most, slope * off * ew_span()), min(most, slope * apart * ew_span()), width);
+}
+
+// Whether a step along the ray changes next to nothing. The field is known on the surfaces of the nodes, so a step that is wider than a
+// cell always counts.
+bool ew_is_flat(float step, float width, float field, float allowed)
+{
+    return step == 0.0 || (step < width && step * field <= allowed);
+}
+#endif
+
+bool ew_are_cells_smooth(ivec2 block)
+{
+    ivec2 last = (ew_grid.viewport.zw - 1) / EW_CELL_SIZE;
+    bool are_smooth = true;
+    for (int y = 0; y < EW_BLOCK_CELLS; ++y)
+        for (int x = 0; x < EW_BLOCK_CELLS; ++x) {
+            ivec2 cell = min(block * EW_BLOCK_CELLS + ivec2(x, y), last);
+            are_smooth = are_smooth && texelFetch(ew_cell_texture, cell, 0).r == EW_SMOOTH;
+        }
+    return are_smooth;
+}
+
+void main()
+{
+    ivec2 place = ivec2(gl_FragCoord.xy);
+    ivec2 first = ew_first_node(place, ew_stride);
+    float peak = texelFetch(ew_peak_texture, ivec2(0), 0).a;
+    float least = min(min(ew_node(first, ew_stride, 0, 0).a, ew_node(first, ew_stride, 1, 0).a),
+                      min(ew_node(first, ew_stride, 0, 1).a, ew_node(first, ew_stride, 1, 1).a));
+    float allowed = ew_grid.tolerance.x * max(least, ew_grid.tolerance.y * peak);
+    vec4 rough = max(ew_edge_roughness(first, ew_stride), ew_mixed_roughness(first, ew_stride));
+    float field = ew_field(first, ew_stride);
+    bool is_smooth = EW_ERROR_OF_DIFFERENCE * max(max(rough.r, rough.g), max(rough.b, rough.a)) <= allowed && field < EW_UNRESOLVED;
+    bool are_alike = true;
+#ifdef EW_DEPTH
+    bool is_cell = ew_stride == 1;
+    ew_relief relief = ew_find_relief(place * ew_stride * EW_CELL_SIZE, is_cell ? EW_CELL_SIZE : ew_stride, is_cell ? 1 : EW_CELL_SIZE);
+    is_smooth = is_smooth && ew_is_flat(relief.step, relief.width, field, allowed);
+    are_alike = ew_is_flat(relief.apart, relief.width, field, allowed);
+#endif
+    if (ew_stride > 1) is_smooth = is_smooth && ew_are_cells_smooth(place);
+    ew_class = vec4(is_smooth ? EW_SMOOTH : are_alike ? EW_ROUGH : EW_TORN);
+}

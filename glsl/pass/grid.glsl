@@ -1,0 +1,37 @@
+// The grid of adaptive resolution: see layout.glsl. A patch is what is interpolated as one, a cell or a block; its stride is its
+// width in cells.
+
+// Where the nodes of a patch lie: its lower left corner in the texture of nodes.
+ivec2 ew_first_node(ivec2 patch_place, int stride)
+{
+    return patch_place * stride + EW_NODE_MARGIN;
+}
+
+// Classes of patches. Smooth ones are interpolated between their nodes, the others are integrated pixel by pixel: rough ones once a
+// pixel, torn ones once for each sample of the target.
+const float EW_SMOOTH = 1.0;
+const float EW_ROUGH = 0.5;
+const float EW_TORN = 0.0;
+
+// The field's value at a node that a source may slip by.
+const float EW_UNRESOLVED = 1e30;
+
+#ifdef EW_FIELD
+// How long a cell's diagonal is at the ray parameter s, in ray space.
+float ew_cell_diagonal(float s)
+{
+    vec2 right = ew_frame.ray_right.xy + s * ew_frame.ray_right.zw;
+    vec2 up = ew_frame.ray_up.xy + s * ew_frame.ray_up.zw;
+    return float(EW_CELL_SIZE) * (length(right) + length(up));
+}
+#endif
+
+#ifndef EW_NODE_STAGE
+// The light of the nodes: sum B_i color_i, and B as the fourth component.
+uniform sampler2D ew_node_texture;
+
+vec4 ew_node(ivec2 first, int stride, int x, int y)
+{
+    return texelFetch(ew_node_texture, first + stride * ivec2(x, y), 0);
+}
+#endif

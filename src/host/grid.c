@@ -1,0 +1,209 @@
+/* The passes of adaptive resolution: see grid.h. */
+#include "host/grid.h"
+
+#include "host/sample_passes.h"
+
+/* Columns and rows of nodes, cells or blocks. */
+typedef struct extent {
+    int columns, rows;
+} extent;
+
+/* The parts of a viewport's grid. */
+typedef struct grid_extents {
+    extent cells, blocks, nodes;
+} grid_extents;
+
+static extent divide_up(extent a, int b)
+{
+    return (extent){(a.columns + b - 1) / b, (a.rows + b - 1) / b};
+}
+
+static extent nodes_of(extent blocks)
+{
+    const int others = 1 + 2 * EW_NODE_MARGIN;
+    return (extent){blocks.columns * EW_BLOCK_CELLS + others, blocks.rows * EW_BLOCK_CELLS + others};
+}
+
+static grid_extents extents_of(const ew_viewport *viewport)
+{
+    const extent cells = divide_up((extent){viewport->width, viewport->height}, EW_CELL_SIZE);
+    const extent blocks = divide_up(cells, EW_BLOCK_CELLS);
+    return (grid_extents){cells, blocks, nodes_of(blocks)};
+}
+
+/* ---- Textures ---- */
+
+static void allocate(const ew_gl *gl, GLuint *texture, GLint internal_format, GLenum format, GLenum type, extent size)
+{
+    if (!*texture) gl->GenTextures(1, texture);
+    gl->BindTexture(GL_TEXTURE_2D, *texture);
+    gl->TexImage2D(GL_TEXTURE_2D, 0, internal_format, size.columns, size.rows, 0, format, type, NULL);
+    gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+}
+
+/* Gives the textures room for that many blocks more, never less. GL would fill them from a pixel unpack buffer if one were bound. */
+static void grow(ew_grid *grid, const ew_gl *gl, extent blocks)
+{
+    if (blocks.columns <= grid->columns && blocks.rows <= grid->rows) return;
+    if (blocks.columns > grid->columns) grid->columns = blocks.columns;
+    if (blocks.rows > grid->rows) grid->rows = blocks.rows;
+    const extent room = {grid->columns, grid->rows}, nodes = nodes_of(room);
+    GLint unpack_buffer = 0;
+    gl->GetIntegerv(GL_PIXEL_UNPACK_BUFFER_BINDING, &unpack_buffer);
+    gl->BindBuffer(GL_PIXEL_UNPACK_BUFFER, 0);
+    allocate(gl, &grid->nodes, GL_RGBA32F, GL_RGBA, GL_FLOAT, nodes);
+    allocate(gl, &grid->field, GL_R32F, GL_RED, GL_FLOAT, nodes);
+    allocate(gl, &grid->cells, GL_R8, GL_RED, GL_UNSIGNED_BYTE,
+             (extent){room.columns * EW_BLOCK_CELLS, room.rows * EW_BLOCK_CELLS});
+    allocate(gl, &grid->blocks, GL_R8, GL_RED, GL_UNSIGNED_BYTE, room);
+    extent peaks = nodes;
+    for (int level = 0; level < EW_GRID_PEAK_LEVELS; ++level) {
+        peaks = divide_up(peaks, EW_PEAK_SIZE);
+        allocate(gl, &grid->peaks[level], GL_RGBA32F, GL_RGBA, GL_FLOAT, peaks);
+    }
+    if (unpack_buffer != 0 && gl->IsBuffer((GLuint)unpack_buffer))
+        gl->BindBuffer(GL_PIXEL_UNPACK_BUFFER, (GLuint)unpack_buffer);
+}
+
+void ew_grid_destroy(ew_grid *grid, const ew_gl *gl)
+{
+    const GLuint textures[] = {grid->nodes, grid->field, grid->cells, grid->blocks};
+    gl->DeleteTextures(sizeof textures / sizeof textures[0], textures);
+    gl->DeleteTextures(EW_GRID_PEAK_LEVELS, grid->peaks);
+    *grid = (ew_grid){0};
+}
+
+/* ---- Passes ---- */
+
+static void bind(const ew_gl *gl, int unit, GLuint texture)
+{
+    gl->ActiveTexture(GL_TEXTURE0 + (GLenum)unit);
+    gl->BindTexture(GL_TEXTURE_2D, texture);
+    gl->BindSampler((GLuint)unit, 0);
+}
+
+/* Sets the width of the patches, in cells, of a pass whose program is in use. */
+static void set_stride(const ew_drawing *drawing, ew_pass pass, int stride)
+{
+    const ew_gl *gl = drawing->gl;
+    gl->Uniform1i(gl->GetUniformLocation(drawing->programs.names[pass], "ew_stride"), stride);
+}
+
+/* Uses a program that reads the depth's samples up to `end`, if depth has samples. */
+static void use_with_samples(const ew_drawing *drawing, ew_pass pass, GLint end)
+{
+    const ew_gl *gl = drawing->gl;
+    GLuint program = drawing->programs.names[pass];
+    gl->UseProgram(program);
+    if (drawing->depth->samples > 0) gl->Uniform2i(gl->GetUniformLocation(program, "ew_samples"), 0, end);
+}
+
+/* Draws a quad over the first `size` texels of a texture of the grid. */
+static void fill(const ew_drawing *drawing, GLuint texture, extent size)
+{
+    const ew_gl *gl = drawing->gl;
+    gl->FramebufferTexture2D(GL_DRAW_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture, 0);
+    ew_gl_set_viewport(gl, &(ew_viewport){0, 0, size.columns, size.rows});
+    gl->DrawArrays(GL_TRIANGLE_STRIP, drawing->is_ahead ? EW_QUAD_VERTICES : 0, EW_QUAD_VERTICES);
+}
+
+/* Finds the peak of the nodes, and returns the texture whose first texel it is. */
+static GLuint fill_peaks(const ew_grid *grid, const ew_drawing *drawing, extent nodes)
+{
+    const ew_gl *gl = drawing->gl;
+    GLuint source = grid->nodes, program = drawing->programs.names[EW_PASS_PEAK];
+    GLint source_size = gl->GetUniformLocation(program, "ew_source_size");
+    extent size = nodes;
+    gl->UseProgram(program);
+    for (int level = 0; level < EW_GRID_PEAK_LEVELS && (level == 0 || size.columns * size.rows > 1); ++level) {
+        bind(gl, EW_GL_NODE_TEXTURE_UNIT, source);
+        gl->Uniform2i(source_size, size.columns, size.rows);
+        size = divide_up(size, EW_PEAK_SIZE);
+        source = grid->peaks[level];
+        fill(drawing, source, size);
+    }
+    return source;
+}
+
+static void fill_textures(const ew_grid *grid, const ew_drawing *drawing, const grid_extents *extents)
+{
+    const ew_gl *gl = drawing->gl;
+    use_with_samples(drawing, EW_PASS_NODES, 1);
+    fill(drawing, grid->nodes, extents->nodes);
+    use_with_samples(drawing, EW_PASS_FIELD, 1);
+    fill(drawing, grid->field, extents->nodes);
+    GLuint peak = fill_peaks(grid, drawing, extents->nodes);
+
+    bind(gl, EW_GL_NODE_TEXTURE_UNIT, grid->nodes);
+    bind(gl, EW_GL_FIELD_TEXTURE_UNIT, grid->field);
+    bind(gl, EW_GL_BLOCK_TEXTURE_UNIT, peak);
+    use_with_samples(drawing, EW_PASS_CLASSES, drawing->depth->samples);
+    set_stride(drawing, EW_PASS_CLASSES, 1);
+    fill(drawing, grid->cells, extents->cells);
+    bind(gl, EW_GL_CELL_TEXTURE_UNIT, grid->cells);
+    set_stride(drawing, EW_PASS_CLASSES, EW_BLOCK_CELLS);
+    fill(drawing, grid->blocks, extents->blocks);
+}
+
+bool ew_grid_fill(ew_grid *grid, const ew_drawing *drawing)
+{
+    const ew_gl *gl = drawing->gl;
+    const grid_extents extents = extents_of(&drawing->plan->target.viewport);
+    GLuint framebuffer;
+    for (int unit = EW_GL_NODE_TEXTURE_UNIT; unit < EW_GL_TEXTURE_UNIT_COUNT; ++unit)
+        bind(gl, unit, 0);
+    grow(grid, gl, extents.blocks);
+    /* It serves one frame only, since contexts do not share framebuffers. */
+    gl->GenFramebuffers(1, &framebuffer);
+    gl->BindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
+    gl->FramebufferTexture2D(GL_DRAW_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, grid->nodes, 0);
+    grid->is_refused = gl->CheckFramebufferStatus(GL_DRAW_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE;
+    if (!grid->is_refused) {
+        ew_gl_set_blend(gl, false);
+        fill_textures(grid, drawing, &extents);
+    }
+    gl->DeleteFramebuffers(1, &framebuffer);
+    return !grid->is_refused;
+}
+
+/* ---- Patches ---- */
+
+/* Draws patches that are `stride` cells wide with the program in use. The last ones may reach beyond the viewport; a point behind
+ * them all lies outside of it. */
+static void draw_patches(const ew_drawing *drawing, extent patches, int stride)
+{
+    const ew_viewport *viewport = &drawing->plan->target.viewport;
+    int width = stride * EW_CELL_SIZE, count = patches.columns * patches.rows;
+    ew_gl_set_viewport(drawing->gl,
+                       &(ew_viewport){viewport->x, viewport->y, patches.columns * width, patches.rows * width});
+    drawing->gl->DrawArrays(GL_POINTS, drawing->is_ahead ? count : 0, drawing->is_ahead ? 1 : count);
+}
+
+static void draw_cells(void *user)
+{
+    const ew_drawing *drawing = user;
+    draw_patches(drawing, extents_of(&drawing->plan->target.viewport).cells, 1);
+}
+
+void ew_grid_draw(const ew_grid *grid, const ew_drawing *drawing)
+{
+    const ew_gl *gl = drawing->gl;
+    const grid_extents extents = extents_of(&drawing->plan->target.viewport);
+    bind(gl, EW_GL_BLOCK_TEXTURE_UNIT, grid->blocks);
+    gl->UseProgram(drawing->programs.names[EW_PASS_INTERPOLATION]);
+    set_stride(drawing, EW_PASS_INTERPOLATION, EW_BLOCK_CELLS);
+    draw_patches(drawing, extents.blocks, EW_BLOCK_CELLS);
+    set_stride(drawing, EW_PASS_INTERPOLATION, 1);
+    draw_patches(drawing, extents.cells, 1);
+
+    const GLuint program = drawing->programs.names[EW_PASS_CELLS];
+    const GLint draws_torn = gl->GetUniformLocation(program, "ew_draws_torn");
+    use_with_samples(drawing, EW_PASS_CELLS, 1);
+    set_stride(drawing, EW_PASS_CELLS, 1);
+    gl->Uniform1i(draws_torn, 0);
+    draw_patches(drawing, extents.cells, 1);
+    if (drawing->depth->samples == 0) return;
+    gl->Uniform1i(draws_torn, 1);
+    ew_draw_samples(gl, program, drawing->depth->samples, draw_cells, (void *)drawing);
+}
