@@ -30,7 +30,7 @@ int main(int argc, char **argv)
 {
     demo_options options = {.last_frame = 299,
                             .frames_per_second = 30,
-                            .settings = {1280, 720, EW_INTEGRATOR_ADAPTIVE, EW_QUALITY_ERROR_1E_3, 200},
+                            .settings = {1280, 720, EW_INTEGRATOR_ADAPTIVE, EW_QUALITY_ERROR_1E_3, 200, EW_RESOLUTION_ADAPTIVE},
                             .right = {.integrator = EW_INTEGRATOR_SIMPSON, .simpson_divisions = 128},
                             .samples_per_axis = 1,
                             .backend = CONTEXT_AUTO};

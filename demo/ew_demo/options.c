@@ -16,6 +16,7 @@ static const char help[] =
     "      --size WxH          of the window or the pictures, in pixels (default 1280x720)\n"
     "      --integrator NAME   adaptive, or with its largest relative error as in adaptive:1e-2,\n"
     "                          adaptive:1e-3 (default), adaptive:1e-4; or simpson:N, N divisions\n"
+    "      --resolution NAME   adaptive (default): fewer pixels are integrated where the light is smooth; or full: all are\n"
     "      --split NAME        integrator of the right half of the picture\n"
     "      --show WHAT         picture (default); evaluations, how often each pixel's ray was evaluated; or error, compared\n"
     "                          with Simpson's rule of 16384 divisions (4096 without an interval), which takes long\n"
@@ -113,6 +114,7 @@ bool options_read(int argc, char **argv, demo_options *options, char *message, s
     const command_option table[] = {
         {"size", 0, read_window_size, &options->settings, SIZE_REMEDY},
         {"integrator", 0, read_integrator, &options->settings, INTEGRATOR_REMEDY},
+        {"resolution", 0, read_resolution, &options->settings.resolution, RESOLUTION_REMEDY},
         {"split", 0, read_split, options, INTEGRATOR_REMEDY},
         {"show", 0, read_mode, &options->mode, "must be picture, evaluations or error"},
         {"samples", 0, read_samples, &options->samples_per_axis, "must be a number from 1 to 4"},

@@ -105,7 +105,9 @@ enum { INTEGRATOR_COUNT = sizeof integrators / sizeof *integrators };
 
 static void set_integrator(demo_window *window, int number, bool is_right)
 {
+    ew_resolution resolution = window->integrators[is_right].resolution;
     window->integrators[is_right] = integrators[number];
+    window->integrators[is_right].resolution = resolution;
     if (is_right) window->split = true;
 }
 

@@ -132,7 +132,7 @@ static bool render_to_files(const command_line *options, char *message, size_t s
 
 int main(int argc, char **argv)
 {
-    command_line options = {.settings = {640, 360, EW_INTEGRATOR_ADAPTIVE, EW_QUALITY_ERROR_1E_3, 200},
+    command_line options = {.settings = {640, 360, EW_INTEGRATOR_ADAPTIVE, EW_QUALITY_ERROR_1E_3, 200, EW_RESOLUTION_ADAPTIVE},
                             .backend = CONTEXT_AUTO};
     char message[600];
     if (read_options(argc, argv, &options, message, sizeof message) && render_to_files(&options, message, sizeof message))

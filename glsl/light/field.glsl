@@ -3,7 +3,8 @@
 // C puts this file into the shader once for each kind, with EW_SOURCE defined as the kind's block.
 
 // The field where the segment ends, times the coefficient and the sharpness, which bounds how much steeper sharpened light is; or
-// EW_UNRESOLVED, where the source may shine within a cell of the ray and reaches less than two cells.
+// EW_UNRESOLVED, where the source may shine within a cell of the ray and its reach is less than a cell's diagonal: a wider one is seen
+// by some node at a good part of its light.
 float ew_field_of(ew_segment segment, EW_SOURCE source)
 {
 #ifdef EW_REACH
@@ -14,7 +15,7 @@ float ew_field_of(ew_segment segment, EW_SOURCE source)
         float last = ew_chord(segment, wide).y;
         wide.glow.y = source.glow.y + ew_cell_diagonal(last);
         vec2 chord = ew_chord(segment, wide);
-        if (chord.x < chord.y && source.glow.y < 2.0 * ew_cell_diagonal(chord.y)) return EW_UNRESOLVED;
+        if (chord.x < chord.y && source.glow.y < ew_cell_diagonal(chord.y)) return EW_UNRESOLVED;
     }
 #endif
     float field = ew_sample_at(source, segment.origin + segment.end * segment.direction, segment.end);

@@ -22,7 +22,7 @@ float ew_cell_diagonal(float s)
 {
     vec2 right = ew_frame.ray_right.xy + s * ew_frame.ray_right.zw;
     vec2 up = ew_frame.ray_up.xy + s * ew_frame.ray_up.zw;
-    return float(EW_CELL_SIZE) * (length(right) + length(up));
+    return float(EW_CELL_SIZE) * sqrt(dot(right, right) + dot(up, up));
 }
 #endif
 

@@ -145,9 +145,8 @@ static ew_result find_program(ew_device *device, const plan_task *task, ew_pass 
 {
     ew_program_cache *cache = &device->programs[pass];
     unsigned pass_key = ew_permutation_of_pass(pass, key);
-    return task->is_ready
-               ? ew_program_prepare(cache, &device->gl, task->allocator, pass_key, &programs->names[pass], error)
-               : ew_program_get(cache, &device->gl, task->allocator, pass_key, &programs->names[pass], error);
+    return task->is_ready ? ew_program_prepare(cache, &device->gl, task->allocator, pass_key, &programs->names[pass], error)
+                          : ew_program_get(cache, &device->gl, task->allocator, pass_key, &programs->names[pass], error);
 }
 
 /* Finds the programs of all passes; `are_ready` says whether there are any to wait for. */

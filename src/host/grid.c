@@ -42,7 +42,8 @@ static void allocate(const ew_gl *gl, GLuint *texture, GLint internal_format, GL
     gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
 }
 
-/* Gives the textures room for that many blocks more, never less. GL would fill them from a pixel unpack buffer if one were bound. */
+/* Gives the textures room for that many blocks more, never less. GL would fill them from a pixel unpack buffer if one were
+ * bound. */
 static void grow(ew_grid *grid, const ew_gl *gl, extent blocks)
 {
     if (blocks.columns <= grid->columns && blocks.rows <= grid->rows) return;
@@ -169,14 +170,13 @@ bool ew_grid_fill(ew_grid *grid, const ew_drawing *drawing)
 
 /* ---- Patches ---- */
 
-/* Draws patches that are `stride` cells wide with the program in use. The last ones may reach beyond the viewport; a point behind
- * them all lies outside of it. */
+/* Draws patches that are `stride` cells wide with the program in use. The last ones may reach beyond the viewport; a point
+ * behind them all lies outside of it. */
 static void draw_patches(const ew_drawing *drawing, extent patches, int stride)
 {
     const ew_viewport *viewport = &drawing->plan->target.viewport;
     int width = stride * EW_CELL_SIZE, count = patches.columns * patches.rows;
-    ew_gl_set_viewport(drawing->gl,
-                       &(ew_viewport){viewport->x, viewport->y, patches.columns * width, patches.rows * width});
+    ew_gl_set_viewport(drawing->gl, &(ew_viewport){viewport->x, viewport->y, patches.columns * width, patches.rows * width});
     drawing->gl->DrawArrays(GL_POINTS, drawing->is_ahead ? count : 0, drawing->is_ahead ? 1 : count);
 }
 

@@ -38,8 +38,9 @@ enum { EW_QUAD_VERTICES = 4 };
 
 void ew_grid_destroy(ew_grid *grid, const ew_gl *gl);
 
-/* Makes room for the plan's viewport, and finds the light of its nodes and the classes of its patches. Changes the draw framebuffer, the
- * viewport and blending. Returns false if GL cannot draw to the textures: then no grid can be drawn in this context. */
+/* Makes room for the plan's viewport, and finds the light of its nodes and the classes of its patches. Changes the draw
+ * framebuffer, the viewport and blending. Returns false if GL cannot draw to the textures: then no grid can be drawn in this
+ * context. */
 bool ew_grid_fill(ew_grid *grid, const ew_drawing *drawing);
 
 /* Draws the filled grid's patches to the target, which must be set. */

@@ -17,8 +17,8 @@ typedef struct ew_program {
 } ew_program;
 
 /* Starts to make the program of `key`, with the library's own integrator (NULL) or another one. */
-ew_result ew_program_start(const ew_gl *gl, ew_pass pass, unsigned key, const ew_integrator_text *integrator, ew_program *program,
-                           ew_error *error);
+ew_result ew_program_start(const ew_gl *gl, ew_pass pass, unsigned key, const ew_integrator_text *integrator,
+                           ew_program *program, ew_error *error);
 
 /* Whether ew_program_finish would not wait, as far as the driver can tell. */
 bool ew_program_is_complete(const ew_gl *gl, const ew_program *program);

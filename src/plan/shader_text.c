@@ -238,8 +238,7 @@ static bool draws_patches(ew_pass pass)
 
 unsigned ew_permutation_of_pass(ew_pass pass, unsigned key)
 {
-    const unsigned target =
-        EW_PERMUTATION_LUMINANCE | EW_PERMUTATION_DITHER | EW_PERMUTATION_DITHER_SRGB | EW_PERMUTATION_SOFT;
+    const unsigned target = EW_PERMUTATION_LUMINANCE | EW_PERMUTATION_DITHER | EW_PERMUTATION_DITHER_SRGB | EW_PERMUTATION_SOFT;
     switch (pass) {
     case EW_PASS_NODES:
         return key & ~target;

@@ -25,6 +25,8 @@ static const char help[] =
     "Compares the luminance that the library draws with a reference in double precision.\n"
     "\n"
     "      --integrators LIST  comma-separated: adaptive:1e-2, adaptive:1e-3 (default), adaptive:1e-4, simpson:N\n"
+    "      --resolution NAME   full (default); or adaptive, whose errors are relative to 0.03 of the largest luminance where\n"
+    "                          the truth is less\n"
     "      --backend NAME      egl, osmesa or auto (default)\n"
     "      --size WxH          in pixels (default 512x512)\n"
     "      --pixels N          how many pixels to compare (default: 4000, fewer for many sources)\n"
@@ -42,6 +44,7 @@ typedef struct command_line {
     named_integrator integrators[MAX_INTEGRATORS];
     size_t integrator_count;
     context_backend backend;
+    ew_resolution resolution;
     int width, height;
     size_t pixels; /* 0 for all */
     bool pixels_given;
@@ -103,6 +106,7 @@ static bool read_options(int argc, char **argv, command_line *options, char *mes
     const command_option table[] = {
         {"integrators", 0, read_integrators, options, "must be of adaptive:1e-2, adaptive:1e-3, adaptive:1e-4 and simpson:N"},
         {"backend", 0, read_backend, &options->backend, BACKEND_REMEDY},
+        {"resolution", 0, read_resolution, &options->resolution, RESOLUTION_REMEDY},
         {"size", 0, read_picture_size, options, SIZE_REMEDY},
         {"pixels", 0, read_pixels, options, "must be a number of pixels"},
         {"full", 0, NULL, &full, NULL},
@@ -174,7 +178,9 @@ static bool draw_pictures(const command_line *options, gl_context *context, comp
     while (compared->picture_count < count) {
         char reason[300];
         named_integrator integrator = options->integrators[compared->picture_count % options->integrator_count];
-        if (compared->picture_count == options->integrator_count)
+        bool is_beside = compared->picture_count == options->integrator_count;
+        integrator.settings.resolution = is_beside ? EW_RESOLUTION_FULL : options->resolution;
+        if (is_beside && options->resolution == EW_RESOLUTION_FULL)
             named_integrator_find(strcmp(integrator.name, "adaptive:1e-4") == 0 ? "adaptive:1e-3" : "adaptive:1e-4",
                                   &integrator);
         integrator.settings.width = options->width;
@@ -224,6 +230,7 @@ static bool compare_pictures(const command_line *options, const char *renderer, 
         snprintf(message, size, "%s: memory is exhausted", compared->path);
         return false;
     }
+    if (options->resolution == EW_RESOLUTION_ADAPTIVE) truth.dark = TRUTH_DARK_INTERPOLATED;
     size_t misses = compared->scene.opaque_count ? depth_misses(&compared->rays, &truth, &pictures[0]) : 0;
     if (misses) printf("%s: the depth of %zu pixels is not the scene's\n", compared->path, misses);
     bool ok = true;

@@ -40,7 +40,7 @@ static int compare_ranked(const void *a, const void *b)
     return first->index < second->index ? -1 : 1;
 }
 
-ranked_pixel *rank_pixels(const drawn_picture *picture, const drawn_picture *other)
+ranked_pixel *rank_pixels(const drawn_picture *picture, const drawn_picture *other, double dark)
 {
     size_t pixel_count = (size_t)picture->width * (size_t)picture->height;
     ranked_pixel *ranking = malloc(pixel_count * sizeof *ranking);
@@ -49,7 +49,7 @@ ranked_pixel *rank_pixels(const drawn_picture *picture, const drawn_picture *oth
         if (isfinite(picture->luminance[i])) largest = fmax(largest, (double)picture->luminance[i]);
     for (size_t i = 0; ranking && i < pixel_count; i++) {
         double value = (double)picture->luminance[i];
-        if (other) value = fabs((double)other->luminance[i] - value) / fmax(value, TRUTH_DARK * largest + 1e-30);
+        if (other) value = fabs((double)other->luminance[i] - value) / fmax(value, dark * largest + 1e-30);
         ranking[i] = (ranked_pixel){isfinite(value) ? value : HUGE_VAL, i};
     }
     if (ranking) qsort(ranking, pixel_count, sizeof *ranking, compare_ranked);
@@ -81,7 +81,7 @@ bool choose_pixels(const scene_rays *rays, const drawn_picture *picture, size_t 
 {
     size_t pixel_count = (size_t)picture->width * (size_t)picture->height;
     *truth = (true_pixels){.pixels = malloc(pixel_count * sizeof *truth->pixels), .chosen = calloc(pixel_count, 1)};
-    ranked_pixel *ranking = rank_pixels(picture, NULL);
+    ranked_pixel *ranking = rank_pixels(picture, NULL, TRUTH_DARK);
     bool ok = truth->pixels && truth->chosen && ranking;
     if (ok && (count == 0 || count >= pixel_count)) {
         for (size_t i = 0; i < pixel_count; i++)

@@ -17,8 +17,9 @@ typedef struct ranked_pixel {
     size_t index;
 } ranked_pixel;
 
-/* The pixels by the picture's luminance or, with another picture of the scene, by how much of it they differ, from the least to
- * the largest; what is no number counts as large. The caller frees them. NULL where memory is exhausted. */
-ranked_pixel *rank_pixels(const drawn_picture *picture, const drawn_picture *other);
+/* The pixels by the picture's luminance or, with another picture of the scene, by how much of it (or of `dark` of the largest)
+ * they differ, from the least to the largest; what is no number counts as large. The caller frees them. NULL where memory is
+ * exhausted. */
+ranked_pixel *rank_pixels(const drawn_picture *picture, const drawn_picture *other, double dark);
 
 #endif

@@ -44,6 +44,7 @@ static bool compute_truth(const scene_rays *rays, const drawn_picture *picture, 
 bool true_pixels_compute(const scene_rays *rays, const drawn_picture *picture, size_t count, int threads, true_pixels *truth)
 {
     if (!choose_pixels(rays, picture, count, truth)) return false;
+    truth->dark = TRUTH_DARK;
     if (compute_truth(rays, picture, threads, truth, 0)) return true;
     true_pixels_free(truth);
     return false;
@@ -67,7 +68,7 @@ double true_pixel_error(const true_pixels *truth, const drawn_picture *picture, 
     if (!isfinite(luminance)) return HUGE_VAL;
     double difference = fabs(luminance - pixel->luminance);
     /* A dark picture (no sources, or all of them behind walls) is right if it is dark. */
-    return difference == 0 ? 0 : difference / fmax(pixel->luminance, TRUTH_DARK * truth->largest);
+    return difference == 0 ? 0 : difference / fmax(pixel->luminance, truth->dark * truth->largest);
 }
 
 /* Adds the neighbours of the pixels at which the picture is most wrong. */
@@ -99,7 +100,7 @@ bool true_pixels_refine(const scene_rays *rays, const drawn_picture *picture, co
 {
     size_t pixel_count = (size_t)picture->width * (size_t)picture->height;
     size_t before = truth->count, limit = before + truth->first_count / 2;
-    ranked_pixel *ranking = rank_pixels(picture, other);
+    ranked_pixel *ranking = rank_pixels(picture, other, truth->dark);
     if (!ranking) return false;
     for (size_t i = 0; i < pixel_count && i < truth->first_count / 8; i++)
         choose_pixel(truth, picture, ranking[pixel_count - 1 - i].index, false);

@@ -12,6 +12,8 @@
 
 /* Errors are relative to the truth or, where it is darker, to this share of the largest truth of the picture. */
 #define TRUTH_DARK 1e-3
+/* The same at adaptive resolution. */
+#define TRUTH_DARK_INTERPOLATED 0.03
 
 /* A pixel and what the reference says of it. */
 typedef struct true_pixel {
@@ -29,6 +31,7 @@ typedef struct true_pixels {
     unsigned char *chosen; /* for each of the picture's pixels, whether it is among them */
     size_t unreliable_count;
     double largest; /* luminance */
+    double dark;    /* the share of it that errors are relative to at the least */
 } true_pixels;
 
 /* Chooses about `count` pixels (0: all), always the same for the same picture: half of them spread evenly, one at random in

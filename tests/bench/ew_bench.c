@@ -27,6 +27,7 @@ static const char help[] =
     "\n"
     "      --size WxH          in pixels, up to 8192x8192 (default 512x512)\n"
     "      --integrators LIST  separated by commas: adaptive:1e-2, adaptive:1e-3, adaptive:1e-4, simpson:N (N divisions),\n"
+    "                          full:E, which is adaptive:E at every pixel,\n"
     "                          marching:N, equiangular:N (N samples), bare (a pass that only writes a constant);\n"
     "                          by default all that a report compares\n"
     "      --repetitions N     frames that are timed, 3 or more (default 15); fewer of what takes more than 1.5 s for that\n"

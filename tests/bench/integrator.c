@@ -6,9 +6,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-const char *const integrator_family_names[FAMILY_COUNT] = {"adaptive", "simpson", "marching", "equiangular", "bare"};
+const char *const integrator_family_names[FAMILY_COUNT] = {"adaptive", "full", "simpson", "marching", "equiangular", "bare"};
 
-const char integrator_default_list[] = "bare,adaptive:1e-2,adaptive:1e-3,adaptive:1e-4,"
+const char integrator_default_list[] = "bare,adaptive:1e-2,adaptive:1e-3,adaptive:1e-4,full:1e-2,full:1e-3,full:1e-4,"
                                        "simpson:16,simpson:32,simpson:64,simpson:128,simpson:200,simpson:512,"
                                        "marching:16,marching:32,marching:64,marching:128,marching:256,"
                                        "equiangular:16,equiangular:32,equiangular:64,equiangular:128,equiangular:256";
@@ -41,6 +41,7 @@ static bool read_parameter(bench_integrator *made, const char *parameter)
 {
     switch (made->family) {
     case FAMILY_ADAPTIVE:
+    case FAMILY_FULL:
         return read_quality(parameter, &made->quality);
     case FAMILY_SIMPSON:
         return read_samples(parameter, EW_MAX_SIMPSON_DIVISIONS, &made->samples) && made->samples % 2 == 0;
@@ -88,7 +89,8 @@ bench_integrator *integrator_parse_list(const char *text, size_t *count, char *m
         bench_integrator *made = &list[*count];
         const char *remedy = NULL;
         if (!parse(text, length, made))
-            remedy = "is none; use bare, adaptive:1e-2, adaptive:1e-3, adaptive:1e-4, simpson:N (N even), marching:N or "
+            remedy = "is none; use bare, adaptive:1e-2, adaptive:1e-3, adaptive:1e-4, full:1e-2, full:1e-3, full:1e-4, "
+                     "simpson:N (N even), marching:N or "
                      "equiangular:N";
         for (size_t i = 0; !remedy && i < *count; i++)
             if (strcmp(list[i].name, made->name) == 0) remedy = "is there twice; name it once";

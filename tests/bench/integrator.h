@@ -1,5 +1,6 @@
 /*
- * What is compared, by the names that users write: "adaptive:1e-3", "simpson:200", "marching:64", "equiangular:64", "bare".
+ * What is compared, by the names that users write: "adaptive:1e-3", "full:1e-3", "simpson:200", "marching:64",
+ * "equiangular:64", "bare".
  */
 #ifndef INTEGRATOR_H
 #define INTEGRATOR_H
@@ -10,7 +11,8 @@
 #include <stddef.h>
 
 typedef enum integrator_family {
-    FAMILY_ADAPTIVE,    /* the library's */
+    FAMILY_ADAPTIVE,    /* the library's, at adaptive resolution */
+    FAMILY_FULL,        /* the library's, at every pixel */
     FAMILY_SIMPSON,     /* the published method, as the library has it */
     FAMILY_MARCHING,    /* peers: the benchmark's own shaders */
     FAMILY_EQUIANGULAR, /*  */
@@ -26,9 +28,15 @@ extern const char *const integrator_family_names[FAMILY_COUNT];
 typedef struct bench_integrator {
     char name[24];
     integrator_family family;
-    ew_quality quality; /* of FAMILY_ADAPTIVE */
+    ew_quality quality; /* of FAMILY_ADAPTIVE and FAMILY_FULL */
     int samples;        /* of FAMILY_SIMPSON: divisions; of the peers: samples */
 } bench_integrator;
+
+/* Whether it is the library's own. */
+static inline bool integrator_is_ours(const bench_integrator *integrator)
+{
+    return integrator->family == FAMILY_ADAPTIVE || integrator->family == FAMILY_FULL;
+}
 
 /* All that a report compares. */
 extern const char integrator_default_list[];

@@ -46,8 +46,8 @@ static bool make_picture(const bench_stage *stage, drawn_picture *picture)
 /* Chooses the pixels by two pictures of the library's, and computes their luminance: also where those differ. */
 static bool compute_truth(bench_stage *stage, size_t pixel_count, error_stage *errors, char *message, size_t size)
 {
-    static const bench_integrator usual = {"adaptive:1e-3", FAMILY_ADAPTIVE, EW_QUALITY_ERROR_1E_3, 0},
-                                  finest = {"adaptive:1e-4", FAMILY_ADAPTIVE, EW_QUALITY_ERROR_1E_4, 0};
+    static const bench_integrator usual = {"full:1e-3", FAMILY_FULL, EW_QUALITY_ERROR_1E_3, 0},
+                                  finest = {"full:1e-4", FAMILY_FULL, EW_QUALITY_ERROR_1E_4, 0};
     drawn_picture other;
     int threads = (int)sysconf(_SC_NPROCESSORS_ONLN);
     if (!stage_draw(stage, &usual, EW_OUTPUT_LUMINANCE, message, size)) return false;

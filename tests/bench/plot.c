@@ -14,6 +14,7 @@
 static const struct {
     const char *title, *color, *style;
 } families[FAMILY_BARE] = {
+    [FAMILY_FULL] = {"full", "#56b4e9", "lw 2 pt 6 ps 0.9"},
     [FAMILY_ADAPTIVE] = {"adaptive", "#0072b2", "lw 3 pt 7 ps 0.9"},
     [FAMILY_SIMPSON] = {"Simpson", "#d55e00", "lw 1.5 pt 5 ps 0.6"},
     [FAMILY_MARCHING] = {"uniform marching", "#009e73", "lw 1.5 pt 9 ps 0.7"},

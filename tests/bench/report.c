@@ -56,7 +56,8 @@ static void write_introduction(FILE *file, const bench_results *results)
         TRUTH_DARK, settings->error_samples);
     fputs(
         "What is compared:\n\n"
-        "- `adaptive:E`: this library, with the quality E.\n"
+        "- `adaptive:E`: this library, with the quality E, as a host gets it.\n"
+        "- `full:E`: the same with the light integrated at every pixel (`EW_RESOLUTION_FULL`).\n"
         "- `simpson:N`: the published method, Simpson's rule with N divisions, with the nearest point of each sample in closed "
         "form.\n"
         "- `marching:N`: N equal steps, jittered by interleaved gradient noise, as in game engines.\n"
@@ -109,7 +110,7 @@ static bool is_beaten(const bench_results *results, const bench_scene *scene, co
 {
     for (size_t i = 0; i < results->settings.integrator_count; i++) {
         const measurement *own = &scene->measurements.integrators[i];
-        if (results->settings.integrators[i].family == FAMILY_ADAPTIVE && own->ms_median <= peer->ms_median &&
+        if (integrator_is_ours(&results->settings.integrators[i]) && own->ms_median <= peer->ms_median &&
             own->max_error <= peer->max_error)
             return true;
     }
@@ -118,7 +119,7 @@ static bool is_beaten(const bench_results *results, const bench_scene *scene, co
 
 static bool is_peer(const bench_integrator *integrator)
 {
-    return integrator->family != FAMILY_ADAPTIVE && integrator->family != FAMILY_BARE;
+    return !integrator_is_ours(integrator) && integrator->family != FAMILY_BARE;
 }
 
 static void write_sentences(FILE *file, const bench_results *results, const bench_scene *scene)
@@ -138,7 +139,7 @@ static void write_sentences(FILE *file, const bench_results *results, const benc
         peers++;
         if (is_beaten(results, scene, peer)) continue;
         fprintf(file, "%s `%s` (%s ms, %s)",
-                unbeaten++ == 0 ? "No setting of `adaptive` is both faster and more accurate than" : ",",
+                unbeaten++ == 0 ? "No setting of this library is both faster and more accurate than" : ",",
                 settings->integrators[i].name, number(peer->ms_median), number(peer->max_error));
     }
     if (unbeaten > 0 && unbeaten < peers)
@@ -147,9 +148,9 @@ static void write_sentences(FILE *file, const bench_results *results, const benc
     else if (unbeaten > 0)
         fprintf(file, ". These are all of its peers.\n\n");
     else if (peers == 1)
-        fprintf(file, "Its only peer is slower and less accurate than some setting of `adaptive`.\n\n");
+        fprintf(file, "Its only peer is slower and less accurate than some setting of this library.\n\n");
     else if (peers > 0)
-        fprintf(file, "Each of the %zu peers is slower and less accurate than some setting of `adaptive`.\n\n", peers);
+        fprintf(file, "Each of the %zu peers is slower and less accurate than some setting of this library.\n\n", peers);
 }
 
 static void write_table(FILE *file, const bench_results *results, const bench_scene *scene)

@@ -47,12 +47,13 @@ void stage_destroy(bench_stage *stage)
 
 bool stage_draw(bench_stage *stage, const bench_integrator *integrator, ew_output output, char *message, size_t size)
 {
-    if (integrator->family != FAMILY_ADAPTIVE && integrator->family != FAMILY_SIMPSON)
+    if (!integrator_is_ours(integrator) && integrator->family != FAMILY_SIMPSON)
         return peers_draw(stage->peers, integrator, output, message, size);
     ew_error error;
     ew_frame_desc frame = stage->frame;
     frame.output = output;
     frame.quality = integrator->quality;
+    frame.resolution = integrator->family == FAMILY_ADAPTIVE ? EW_RESOLUTION_ADAPTIVE : EW_RESOLUTION_FULL;
     if (integrator->family == FAMILY_SIMPSON) {
         frame.integrator = EW_INTEGRATOR_SIMPSON;
         frame.simpson_divisions = integrator->samples;

@@ -17,7 +17,8 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { WIDTH = 32, HEIGHT = 24, SAMPLES = 4 };
+/* Large enough for adaptive resolution. */
+enum { WIDTH = 288, HEIGHT = 228, SAMPLES = 4 };
 
 /* As many that every capability is the only one enabled before a draw to every target. The effect takes fewer: its shaders are
  * slow to compile, anew for much of the state that changes. */
@@ -535,6 +536,7 @@ static ew_frame_desc effect_frame(int context, const test_target *target)
     frame.viewport_height = HEIGHT;
     frame.encoding = encodings[target - targets];
     frame.dither = 1;
+    frame.resolution = current_seed % 2 ? EW_RESOLUTION_ADAPTIVE : EW_RESOLUTION_FULL;
     choose_depth(&frame);
     return frame;
 }
