@@ -390,7 +390,8 @@ typedef struct ew_frame_desc {
      * farther from the camera, than 1e6 times the interval's length. */
     double view[16];
     /* View to clip: any perspective or parallel projection, including off-axis, jittered, oblique, reversed and infinite ones.
-     * The view may extend to at most 1e6 times the interval's length on either side of the axis. */
+     * The view may extend to at most 1e6 times the interval's length on either side of the axis. Where the host has set
+     * glClipControl(GL_UPPER_LEFT, ...), the light is turned over as the host's own drawing is: the matrix stays the same. */
     double projection[16];
     ew_clip_depth clip_depth;
 
@@ -488,7 +489,7 @@ typedef struct ew_bounds {
  * frame:  as ew_draw would take it.
  * bounds: receives the bounds; unchanged on failure.
  * Errors: INVALID_ARGUMENT.
- * GL:     is not called. */
+ * GL:     the context must be current: its clip origin is asked for. Changes nothing. */
 EW_API ew_result ew_get_bounds(ew_effect *effect, const ew_frame_desc *frame, ew_bounds *bounds, ew_error *error);
 
 /* ---- Compiling ahead ---------------------------------------------------------------------------------------------------- */

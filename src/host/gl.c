@@ -153,6 +153,13 @@ bool ew_gl_is_software(const char *renderer)
     return false;
 }
 
+bool ew_gl_is_upside_down(const ew_gl *gl)
+{
+    GLint origin = GL_LOWER_LEFT;
+    if (gl->clip_control) gl->GetIntegerv(GL_CLIP_ORIGIN, &origin);
+    return origin == GL_UPPER_LEFT;
+}
+
 static ew_result fail_missing(const function_loader *loader, ew_error *error)
 {
     return ew_fail(error, EW_ERROR_MISSING_FUNCTION, "desc.get_proc_address returned NULL for %d function%s: %s%s",
@@ -199,6 +206,8 @@ ew_result ew_gl_load(ew_gl *gl, ew_gl_function (*get_proc_address)(void *user, c
     gl->max_varying_vectors = (outputs < inputs ? outputs : inputs) / 4 - 1;
     gl->GetIntegerv(GL_MAX_DRAW_BUFFERS, &gl->max_draw_buffers);
     gl->software = ew_gl_is_software((const char *)gl->GetString(GL_RENDERER));
+    gl->clip_control =
+        gl->es ? has_extension(gl, "GL_EXT_clip_control") : gl->version >= 45 || has_extension(gl, "GL_ARB_clip_control");
     gl->framebuffer_srgb = !gl->es || has_extension(gl, "GL_EXT_sRGB_write_control");
     gl->multisample = !gl->es || has_extension(gl, "GL_EXT_multisample_compatibility");
     gl->stencil_texturing = gl->version >= (gl->es ? 31 : 43) || has_extension(gl, "GL_ARB_stencil_texturing");

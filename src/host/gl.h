@@ -136,6 +136,7 @@ typedef struct ew_gl {
     GLint max_uniform_block_size;
     GLint max_varying_vectors; /* from the vertex to the fragment shader, besides gl_Position */
     GLint max_draw_buffers;
+    bool clip_control;      /* the host may have moved the clip origin */
     bool framebuffer_srgb;  /* GL_FRAMEBUFFER_SRGB can be enabled and disabled */
     bool multisample;       /* GL_MULTISAMPLE can be enabled and disabled */
     bool stencil_texturing; /* textures have GL_DEPTH_STENCIL_TEXTURE_MODE */
@@ -147,6 +148,9 @@ typedef struct ew_gl {
 
 /* Whether a GL_RENDERER string, which may be NULL, names a software rasteriser. */
 bool ew_gl_is_software(const char *renderer);
+
+/* Whether the context draws upside down: the host has set glClipControl(GL_UPPER_LEFT, ...). */
+bool ew_gl_is_upside_down(const ew_gl *gl);
 
 /* Loads the functions of the current context and finds out its abilities.
  *

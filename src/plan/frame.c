@@ -69,6 +69,14 @@ static ew_result check_look(const ew_frame_desc *frame, ew_error *error)
     return EW_OK;
 }
 
+ew_frame_desc ew_turn_upside_down(const ew_frame_desc *frame)
+{
+    ew_frame_desc turned = *frame;
+    for (int column = 0; column < 4; ++column)
+        turned.projection[4 * column + 1] = -turned.projection[4 * column + 1];
+    return turned;
+}
+
 ew_result ew_check_integral(const ew_frame_desc *frame, ew_error *error)
 {
     if (!frame) return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "frame must not be NULL");

@@ -12,6 +12,9 @@ bool ew_is_world_frame(const ew_frame_desc *frame);
 /* The frame's core_pixels, or the default of its integral. */
 double ew_core_pixels_of(const ew_frame_desc *frame);
 
+/* The frame as it is drawn where NDC's y points down in the target. */
+ew_frame_desc ew_turn_upside_down(const ew_frame_desc *frame);
+
 /* Checks what the integral depends on: view, interval, decay and integrator. */
 ew_result ew_check_integral(const ew_frame_desc *frame, ew_error *error);
 
