@@ -415,9 +415,11 @@ typedef struct ew_frame_desc {
     int simpson_divisions; /* even, 2 .. EW_MAX_SIMPSON_DIVISIONS */
 
     ew_output output;
-    /* Where to draw: a framebuffer of the current context (0 is the window's), and the rectangle in it, in pixels, that the
-     * projection's NDC square covers. x and y are its lower left corner; width and height must be > 0. */
+    /* Where to draw: a framebuffer of the current context (0 is the window's). Its draw buffer 0 must have an image that is not
+     * of integers, and a single layer: of an array, a cube map or a target of several views, attach one layer at a time. */
     unsigned framebuffer;
+    /* The rectangle in it, in pixels, that the projection's NDC square covers. x and y are its lower left corner; width and
+     * height must be > 0, and at most what the context says at GL_MAX_VIEWPORT_DIMS. */
     int viewport_x;
     int viewport_y;
     int viewport_width;

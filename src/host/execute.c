@@ -3,6 +3,7 @@
 
 #include "base/error.h"
 #include "host/state_guard.h"
+#include "host/target_check.h"
 
 ew_result ew_device_create(ew_device *device, const ew_effect_desc *desc, ew_error *error)
 {
@@ -162,12 +163,14 @@ static ew_result draw_in_state(ew_device *device, const plan_task *task, ew_gl_s
     ew_gl_set_draw_state(gl, state, &wanted);
     if (gl->CheckFramebufferStatus(GL_DRAW_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
         return ew_fail(error, EW_ERROR_OPENGL, "framebuffer %u is not complete", plan->target.framebuffer);
+    ew_result result = ew_target_check(gl, &plan->target, error);
+    if (result != EW_OK) return result;
 
     ew_depth_kind depth = ew_depth_input_kind(gl, &plan->depth);
     unsigned key = ew_permutation_with_depth(plan->permutation, depth);
     GLuint program;
-    ew_result result = task->is_ready ? ew_program_prepare(&device->programs, gl, task->allocator, key, &program, error)
-                                      : ew_program_get(&device->programs, gl, task->allocator, key, &program, error);
+    result = task->is_ready ? ew_program_prepare(&device->programs, gl, task->allocator, key, &program, error)
+                            : ew_program_get(&device->programs, gl, task->allocator, key, &program, error);
     if (result == EW_OK && program)
         result = draw(device, plan, depth, program, task->is_ready ? OUTSIDE_VERTEX : QUAD_VERTEX, error);
     if (result == EW_OK && task->is_ready) *task->is_ready = program != 0;

@@ -205,11 +205,15 @@ ew_result ew_gl_load(ew_gl *gl, ew_gl_function (*get_proc_address)(void *user, c
     gl->GetIntegerv(GL_MAX_FRAGMENT_INPUT_COMPONENTS, &inputs);
     gl->max_varying_vectors = (outputs < inputs ? outputs : inputs) / 4 - 1;
     gl->GetIntegerv(GL_MAX_DRAW_BUFFERS, &gl->max_draw_buffers);
+    gl->GetIntegerv(GL_MAX_VIEWPORT_DIMS, gl->max_viewport);
     gl->software = ew_gl_is_software((const char *)gl->GetString(GL_RENDERER));
     gl->clip_control =
         gl->es ? has_extension(gl, "GL_EXT_clip_control") : gl->version >= 45 || has_extension(gl, "GL_ARB_clip_control");
     gl->framebuffer_srgb = !gl->es || has_extension(gl, "GL_EXT_sRGB_write_control");
     gl->multisample = !gl->es || has_extension(gl, "GL_EXT_multisample_compatibility");
+    gl->layered_framebuffers = !gl->es || gl->version >= 32 || has_extension(gl, "GL_OES_geometry_shader") ||
+                               has_extension(gl, "GL_EXT_geometry_shader");
+    gl->multiview = has_extension(gl, "GL_OVR_multiview");
     gl->stencil_texturing = gl->version >= (gl->es ? 31 : 43) || has_extension(gl, "GL_ARB_stencil_texturing");
     find_unwanted_capabilities(gl);
     return EW_OK;

@@ -136,10 +136,13 @@ typedef struct ew_gl {
     GLint max_uniform_block_size;
     GLint max_varying_vectors; /* from the vertex to the fragment shader, besides gl_Position */
     GLint max_draw_buffers;
-    bool clip_control;      /* the host may have moved the clip origin */
-    bool framebuffer_srgb;  /* GL_FRAMEBUFFER_SRGB can be enabled and disabled */
-    bool multisample;       /* GL_MULTISAMPLE can be enabled and disabled */
-    bool stencil_texturing; /* textures have GL_DEPTH_STENCIL_TEXTURE_MODE */
+    GLint max_viewport[2];     /* width and height */
+    bool clip_control;         /* the host may have moved the clip origin */
+    bool framebuffer_srgb;     /* GL_FRAMEBUFFER_SRGB can be enabled and disabled */
+    bool multisample;          /* GL_MULTISAMPLE can be enabled and disabled */
+    bool layered_framebuffers; /* a whole array of images can be attached */
+    bool multiview;            /* the same by OVR_multiview */
+    bool stencil_texturing;    /* textures have GL_DEPTH_STENCIL_TEXTURE_MODE */
 
     /* Capabilities of this context, for glDisable, that must be off while the effect draws. */
     GLenum unwanted_capabilities[EW_GL_MAX_CAPABILITIES];

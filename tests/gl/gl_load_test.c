@@ -47,6 +47,9 @@ static void fake_get_integer(GLenum name, GLint *value)
     case GL_MAX_FRAGMENT_INPUT_COMPONENTS:
         *value = 60;
         return;
+    case GL_MAX_VIEWPORT_DIMS:
+        value[0] = value[1] = 16384;
+        return;
     case GL_MAX_CLIP_DISTANCES:
     case GL_MAX_DRAW_BUFFERS:
         *value = 8;

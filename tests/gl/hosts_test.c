@@ -93,6 +93,138 @@ static void bounds_are_turned_over_with_the_clip_origin(void **unused)
     assert_int_equal(ew_set_sources(effect, &glow_sources, NULL), EW_OK);
 }
 
+/* ---- Targets ---- */
+
+static GLuint make_array(int layers)
+{
+    GLuint texture;
+    gl.GenTextures(1, &texture);
+    gl.BindTexture(GL_TEXTURE_2D_ARRAY, texture);
+    gl.TexImage3D(GL_TEXTURE_2D_ARRAY, 0, GL_RGBA8, WIDTH, HEIGHT, layers, 0, GL_RGBA, GL_UNSIGNED_BYTE, NULL);
+    gl.BindTexture(GL_TEXTURE_2D_ARRAY, 0);
+    return texture;
+}
+
+static void layers_that_are_attached_all_at_once_are_refused(void **unused)
+{
+    (void)unused;
+    if (!api_has(33, 32, "GL_OES_geometry_shader")) return;
+    GLuint framebuffer, array = make_array(2);
+    gl.GenFramebuffers(1, &framebuffer);
+    gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    gl.FramebufferTexture(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, array, 0);
+    const ew_frame_desc frame = glow_frame(framebuffer);
+    glow_refuse(effect, &frame, EW_ERROR_INVALID_ARGUMENT, "layer");
+    /* Each by itself is a target like any other. */
+    for (int layer = 0; layer < 2; layer++) {
+        gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+        gl.FramebufferTextureLayer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, array, 0, layer);
+        glow_draw(effect, &frame);
+    }
+    gl.DeleteFramebuffers(1, &framebuffer);
+    gl.DeleteTextures(1, &array);
+}
+
+/* Two images, the first of them drawn to by the host's draw buffer 1 or not at all. */
+static void draw_buffers_without_an_image_for_the_light_are_refused(void **unused)
+{
+    (void)unused;
+    GLuint framebuffer, images[2];
+    gl.GenRenderbuffers(2, images);
+    gl.GenFramebuffers(1, &framebuffer);
+    gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    for (int i = 0; i < 2; i++) {
+        gl.BindRenderbuffer(GL_RENDERBUFFER, images[i]);
+        gl.RenderbufferStorage(GL_RENDERBUFFER, GL_RGBA8, WIDTH, HEIGHT);
+        gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0 + (GLenum)i, GL_RENDERBUFFER, images[i]);
+    }
+    const ew_frame_desc frame = glow_frame(framebuffer);
+    gl.DrawBuffers(2, (const GLenum[]){GL_NONE, GL_COLOR_ATTACHMENT1});
+    glow_refuse(effect, &frame, EW_ERROR_INVALID_ARGUMENT, "draw buffer 0");
+    gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    gl.DrawBuffers(2, (const GLenum[]){GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1});
+    glow_draw(effect, &frame);
+    /* OpenGL before 4.1 calls a framebuffer incomplete whose draw buffer has no image. */
+    gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, 0);
+    if (gl.CheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE)
+        glow_refuse(effect, &frame, EW_ERROR_INVALID_ARGUMENT, "draw buffer 0");
+    gl.DeleteFramebuffers(1, &framebuffer);
+    gl.DeleteRenderbuffers(2, images);
+}
+
+static void a_target_of_integers_is_refused(void **unused)
+{
+    (void)unused;
+    canvas integers = canvas_create(WIDTH, HEIGHT, GL_RGBA8UI, 0, 0);
+    const ew_frame_desc frame = glow_frame(integers.framebuffer);
+    glow_refuse(effect, &frame, EW_ERROR_INVALID_ARGUMENT, "integer");
+    canvas_destroy(&integers);
+}
+
+/* A context whose framebuffers have two views, as far as it tells. */
+static void APIENTRY get_integerv_with_views(GLenum name, GLint *value)
+{
+    gl.GetIntegerv(name, value);
+    if (name == GL_NUM_EXTENSIONS) ++*value;
+}
+
+static const GLubyte *APIENTRY get_stringi_with_views(GLenum name, GLuint index)
+{
+    GLint count = 0;
+    gl.GetIntegerv(GL_NUM_EXTENSIONS, &count);
+    return name == GL_EXTENSIONS && index == (GLuint)count ? (const GLubyte *)"GL_OVR_multiview" : gl.GetStringi(name, index);
+}
+
+static void APIENTRY get_attachment_with_views(GLenum place, GLenum attachment, GLenum name, GLint *value)
+{
+    enum { NUM_VIEWS = 0x9630 };
+    if (name == NUM_VIEWS)
+        *value = 2;
+    else
+        gl.GetFramebufferAttachmentParameteriv(place, attachment, name, value);
+}
+
+static ew_gl_function get_proc_address_with_views(void *user, const char *name)
+{
+    if (strcmp(name, "glGetIntegerv") == 0) return (ew_gl_function)get_integerv_with_views;
+    if (strcmp(name, "glGetStringi") == 0) return (ew_gl_function)get_stringi_with_views;
+    if (strcmp(name, "glGetFramebufferAttachmentParameteriv") == 0) return (ew_gl_function)get_attachment_with_views;
+    return context_get_proc_address(user, name);
+}
+
+static void a_target_of_several_views_is_refused(void **unused)
+{
+    (void)unused;
+    ew_effect *watching = NULL;
+    const ew_effect_desc desc = {.get_proc_address = get_proc_address_with_views, .user = context};
+    assert_int_equal(ew_create_effect(&desc, &watching, NULL), EW_OK);
+    GLuint framebuffer, array = make_array(2);
+    gl.GenFramebuffers(1, &framebuffer);
+    gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    gl.FramebufferTextureLayer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, array, 0, 0);
+    const ew_frame_desc frame = glow_frame(framebuffer);
+    glow_refuse(watching, &frame, EW_ERROR_INVALID_ARGUMENT, "layer");
+    gl.DeleteFramebuffers(1, &framebuffer);
+    gl.DeleteTextures(1, &array);
+    ew_destroy_effect(watching);
+}
+
+static void a_viewport_beyond_the_context_s_largest_is_refused(void **unused)
+{
+    (void)unused;
+    GLint largest[2];
+    gl.GetIntegerv(GL_MAX_VIEWPORT_DIMS, largest);
+    ew_frame_desc frame = glow_frame(target.framebuffer);
+    frame.viewport_width = largest[0] + 1;
+    glow_refuse(effect, &frame, EW_ERROR_INVALID_ARGUMENT, "viewport_width");
+    frame = glow_frame(target.framebuffer);
+    frame.viewport_height = largest[1] + 1;
+    glow_refuse(effect, &frame, EW_ERROR_INVALID_ARGUMENT, "viewport_height");
+    frame.viewport_height = largest[1];
+    glow_draw(effect, &frame);
+}
+
 int main(int argc, char **argv)
 {
     if (argc != 2 || (context = open_context(argv[1], NULL)) == NULL) return 2;
@@ -102,6 +234,11 @@ int main(int argc, char **argv)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_light_is_turned_over_with_the_clip_origin),
         cmocka_unit_test(bounds_are_turned_over_with_the_clip_origin),
+        cmocka_unit_test(layers_that_are_attached_all_at_once_are_refused),
+        cmocka_unit_test(draw_buffers_without_an_image_for_the_light_are_refused),
+        cmocka_unit_test(a_target_of_integers_is_refused),
+        cmocka_unit_test(a_target_of_several_views_is_refused),
+        cmocka_unit_test(a_viewport_beyond_the_context_s_largest_is_refused),
         cmocka_unit_test(gl_has_nothing_to_say),
     };
     int failed = cmocka_run_group_tests_name(argv[1], tests, NULL, NULL);
