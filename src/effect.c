@@ -39,9 +39,15 @@ ew_result ew_create_effect(const ew_effect_desc *desc, ew_effect **effect, ew_er
 
 void ew_destroy_effect(ew_effect *effect)
 {
+    if (effect) ew_device_destroy(&effect->device);
+    ew_abandon_effect(effect);
+}
+
+void ew_abandon_effect(ew_effect *effect)
+{
     if (!effect) return;
     const ew_allocator allocator = effect->allocator;
-    ew_device_destroy(&effect->device, &allocator);
+    ew_device_abandon(&effect->device, &allocator);
     ew_sources_destroy(&effect->sources, &allocator);
     if (effect->shader_text) allocator.deallocate(allocator.user, effect->shader_text);
     allocator.deallocate(allocator.user, effect);

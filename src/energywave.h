@@ -306,8 +306,14 @@ EW_API ew_result ew_create_effect(const ew_effect_desc *desc, ew_effect **effect
 EW_API ew_result ew_set_sources(ew_effect *effect, const ew_sources_desc *sources, ew_error *error);
 
 /* Destroys the effect and its GL objects. `effect` may be NULL.
- * GL:     the context must be current; leaves all state as it was. */
+ * GL:     a context of the effect must be current; leaves all state as it was. If there is none any more, call
+ *         ew_abandon_effect. */
 EW_API void ew_destroy_effect(ew_effect *effect);
+
+/* Lets go of an effect whose context is lost, or gone: frees its memory and leaves its GL objects to the context that had them.
+ * Their names may be those of other objects in a new context, where ew_destroy_effect would delete these. `effect` may be NULL.
+ * GL:     calls none, and needs no context. */
+EW_API void ew_abandon_effect(ew_effect *effect);
 
 /* ---- Frame -------------------------------------------------------------------------------------------------------------- */
 

@@ -19,13 +19,18 @@ ew_result ew_device_create(ew_device *device, const ew_effect_desc *desc, ew_err
     return EW_OK;
 }
 
-void ew_device_destroy(ew_device *device, const ew_allocator *allocator)
+void ew_device_destroy(ew_device *device)
 {
     const ew_gl *gl = &device->gl;
-    ew_program_cache_destroy(&device->programs, gl, allocator);
+    ew_program_cache_destroy(&device->programs, gl);
     ew_depth_copy_destroy(&device->depth_copy, gl);
     gl->DeleteSamplers(1, &device->depth_sampler);
     gl->DeleteBuffers(1, &device->uniform_buffer);
+}
+
+void ew_device_abandon(ew_device *device, const ew_allocator *allocator)
+{
+    ew_program_cache_abandon(&device->programs, allocator);
 }
 
 /* ---- Uniforms ---- */

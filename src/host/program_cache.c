@@ -94,10 +94,14 @@ ew_result ew_program_get(ew_program_cache *cache, const ew_gl *gl, const ew_allo
     return finish(cache, gl, entry, name, error);
 }
 
-void ew_program_cache_destroy(ew_program_cache *cache, const ew_gl *gl, const ew_allocator *allocator)
+void ew_program_cache_destroy(ew_program_cache *cache, const ew_gl *gl)
 {
     for (size_t i = 0; i < cache->count; ++i)
         ew_program_destroy(gl, &cache->entries[i].program);
+}
+
+void ew_program_cache_abandon(ew_program_cache *cache, const ew_allocator *allocator)
+{
     if (cache->entries) allocator->deallocate(allocator->user, cache->entries);
     *cache = (ew_program_cache){0};
 }

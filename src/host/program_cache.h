@@ -23,6 +23,10 @@ ew_result ew_program_prepare(ew_program_cache *cache, const ew_gl *gl, const ew_
 ew_result ew_program_get(ew_program_cache *cache, const ew_gl *gl, const ew_allocator *allocator, unsigned key, GLuint *name,
                          ew_error *error);
 
-void ew_program_cache_destroy(ew_program_cache *cache, const ew_gl *gl, const ew_allocator *allocator);
+/* Deletes the programs. The list is left to ew_program_cache_abandon. */
+void ew_program_cache_destroy(ew_program_cache *cache, const ew_gl *gl);
+
+/* Frees the list. Calls no GL. */
+void ew_program_cache_abandon(ew_program_cache *cache, const ew_allocator *allocator);
 
 #endif
