@@ -59,20 +59,20 @@ ew_result ew_set_sources(ew_effect *effect, const ew_sources_desc *sources, ew_e
     return ew_sources_set(&effect->sources, sources, ew_gl_dialect(&effect->device.gl).capacity, &effect->allocator, error);
 }
 
-/* The frame as the current context draws it, in `turned` if that is not as the host gave it. */
-static const ew_frame_desc *oriented(const ew_effect *effect, const ew_frame_desc *frame, ew_frame_desc *turned)
+/* The frame as it is planned, in `settled`. NULL for none. */
+static const ew_frame_desc *settle(const ew_effect *effect, const ew_frame_desc *frame, ew_frame_desc *settled)
 {
-    if (!frame || !ew_gl_is_upside_down(&effect->device.gl)) return frame;
-    *turned = ew_turn_upside_down(frame);
-    return turned;
+    if (!frame) return NULL;
+    *settled = ew_settle_frame(frame, ew_gl_is_upside_down(&effect->device.gl));
+    return settled;
 }
 
 ew_result ew_draw(ew_effect *effect, const ew_frame_desc *frame, ew_error *error)
 {
     if (!effect) return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "effect must not be NULL");
-    ew_frame_desc turned;
+    ew_frame_desc settled;
     ew_plan plan;
-    ew_result result = ew_plan_frame(&plan, &effect->sources, NULL, oriented(effect, frame, &turned), error);
+    ew_result result = ew_plan_frame(&plan, &effect->sources, NULL, settle(effect, frame, &settled), error);
     return result == EW_OK ? ew_execute(&effect->device, &plan, &effect->allocator, error) : result;
 }
 
@@ -80,18 +80,18 @@ ew_result ew_get_bounds(ew_effect *effect, const ew_frame_desc *frame, ew_bounds
 {
     if (!effect) return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "effect must not be NULL");
     if (!bounds) return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "bounds must not be NULL");
-    ew_frame_desc turned;
-    return ew_plan_bounds(&effect->sources, oriented(effect, frame, &turned), bounds, error);
+    ew_frame_desc settled;
+    return ew_plan_bounds(&effect->sources, settle(effect, frame, &settled), bounds, error);
 }
 
 ew_result ew_prepare(ew_effect *effect, const ew_mix *mix, const ew_frame_desc *frame, int *is_ready, ew_error *error)
 {
     if (!is_ready) return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "is_ready must not be NULL");
     if (!effect) return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "effect must not be NULL");
-    ew_frame_desc turned;
+    ew_frame_desc settled;
     ew_plan plan;
     bool ready = false;
-    ew_result result = ew_plan_frame(&plan, &effect->sources, mix, oriented(effect, frame, &turned), error);
+    ew_result result = ew_plan_frame(&plan, &effect->sources, mix, settle(effect, frame, &settled), error);
     if (result == EW_OK) result = ew_execute_ahead(&effect->device, &plan, &effect->allocator, &ready, error);
     if (result == EW_OK) *is_ready = ready;
     return result;
@@ -125,8 +125,9 @@ ew_result ew_update_uniform_buffer(ew_effect *effect, const ew_frame_desc *frame
 {
     if (!effect) return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "effect must not be NULL");
     if (!buffer) return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "buffer must not be NULL");
+    ew_frame_desc settled;
     ew_plan plan;
-    ew_result result = ew_plan_uniforms(&plan, &effect->sources, frame, error);
+    ew_result result = ew_plan_uniforms(&plan, &effect->sources, settle(effect, frame, &settled), error);
     if (result != EW_OK) return result;
     ew_upload(&effect->device, &plan);
     *buffer = effect->device.uniform_buffer;

@@ -392,8 +392,9 @@ typedef enum ew_depth_source {
 
 /* One frame. Start from EW_FRAME_DEFAULTS and set the camera, the interval and the target. */
 typedef struct ew_frame_desc {
-    /* World to view: a rotation or a reflection, and a translation; no scale, no shear. A source may be neither larger, nor
-     * farther from the camera, than 1e6 times the interval's length. */
+    /* World to view: a rotation or a reflection, and a translation; no scale, no shear. Where rounding in floats has made it
+     * drift, by up to 1e-3 in each entry of R^T R and 1e-6 in the last row, the rotation next to it is taken, with the same
+     * eye. A source may be neither larger, nor farther from the camera, than 1e6 times the interval's length. */
     double view[16];
     /* View to clip: any perspective or parallel projection, including off-axis, jittered, oblique, reversed and infinite ones.
      * The view may extend to at most 1e6 times the interval's length on either side of the axis. Where the host has set

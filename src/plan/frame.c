@@ -69,12 +69,13 @@ static ew_result check_look(const ew_frame_desc *frame, ew_error *error)
     return EW_OK;
 }
 
-ew_frame_desc ew_turn_upside_down(const ew_frame_desc *frame)
+ew_frame_desc ew_settle_frame(const ew_frame_desc *frame, bool is_upside_down)
 {
-    ew_frame_desc turned = *frame;
-    for (int column = 0; column < 4; ++column)
-        turned.projection[4 * column + 1] = -turned.projection[4 * column + 1];
-    return turned;
+    ew_frame_desc settled = *frame;
+    ew_settle_view(frame->view, settled.view);
+    for (int column = 0; column < 4 && is_upside_down; ++column)
+        settled.projection[4 * column + 1] = -settled.projection[4 * column + 1];
+    return settled;
 }
 
 ew_result ew_check_integral(const ew_frame_desc *frame, ew_error *error)
