@@ -443,11 +443,16 @@ typedef struct ew_frame_desc {
      * reading a texture while drawing to it is undefined in GL. */
     unsigned depth_texture;
 
+    /* 1: the host's stencil test stays as it is, on or off, so that light is drawn only where a portal or a mirror is, say. Its
+     * operations apply, too; the host sets the same for front and back faces. 0: the test is off. */
+    int keep_stencil_test;
+
     /* 0: ew_draw leaves all state as it was. 1: it saves and restores nothing. That is for hosts that keep their own cache of
      * GL's state; whether the call succeeds or fails, they must then set the following anew:
      *
      *   - the program in use, the vertex array, GL_UNIFORM_BUFFER and its indexed binding 0
-     *   - the active texture unit, and unit 0's sampler, 2D texture and multisampled 2D texture
+     *   - the active texture unit, and unit 0's 2D texture, multisampled 2D texture and sampler; there is none bound
+     * afterwards, so that a host which knows no samplers need not mind
      *   - the draw framebuffer and the read framebuffer
      *   - viewport 0's rectangle; draw buffer 0's blend enable, blend factors, blend equations and colour mask
      *   - word 0 of the sample mask, glPolygonMode, and in the compatibility profile glClampColor for fragments
@@ -471,7 +476,7 @@ typedef struct ew_frame_desc {
         .exposure = 1, .integrator = EW_INTEGRATOR_ADAPTIVE, .quality = EW_QUALITY_ERROR_1E_3, .simpson_divisions = 200,       \
         .output = EW_OUTPUT_LERP, .framebuffer = 0, .viewport_x = 0, .viewport_y = 0, .viewport_width = 0,                     \
         .viewport_height = 0, .encoding = EW_ENCODING_LINEAR_8BIT, .dither = 0, .depth_source = EW_DEPTH_TEXTURE,              \
-        .depth_texture = 0, .skip_restore = 0                                                                                  \
+        .depth_texture = 0, .keep_stencil_test = 0, .skip_restore = 0                                                          \
     }
 
 /* Draws the effect over what the framebuffer holds. The host's scissor (that of viewport 0), conditional rendering and

@@ -134,6 +134,7 @@ static ew_gl_draw_state draw_state(const ew_target *target)
         .source_alpha = factors[target->blend].source_alpha,
         .destination_alpha = factors[target->blend].destination_alpha,
         .framebuffer_srgb = target->encodes_srgb,
+        .keep_stencil_test = target->keeps_stencil_test,
     };
 }
 

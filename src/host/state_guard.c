@@ -207,8 +207,10 @@ void ew_gl_set_draw_state(const ew_gl *gl, ew_gl_state *state, const ew_gl_draw_
     if (gl->PolygonMode) gl->PolygonMode(GL_FRONT_AND_BACK, GL_FILL);
     if (gl->ClampColor) gl->ClampColor(COMPATIBILITY_CLAMP_FRAGMENT_COLOR, GL_FALSE);
     if (gl->framebuffer_srgb) set_capability(gl, GL_FRAMEBUFFER_SRGB, draw->framebuffer_srgb);
-    for (int i = 0; i < gl->unwanted_capability_count; i++)
-        if (state->capabilities[i]) gl->Disable(gl->unwanted_capabilities[i]);
+    for (int i = 0; i < gl->unwanted_capability_count; i++) {
+        const GLenum capability = gl->unwanted_capabilities[i];
+        if (state->capabilities[i] && !(capability == GL_STENCIL_TEST && draw->keep_stencil_test)) gl->Disable(capability);
+    }
 }
 
 static void restore_uniform_binding(const ew_gl *gl, const ew_gl_state *state)
@@ -225,6 +227,7 @@ static void restore_uniform_binding(const ew_gl *gl, const ew_gl_state *state)
 void ew_gl_restore_objects(const ew_gl *gl, const ew_gl_state *state)
 {
     if (state->draw_buffer_count > 0) gl->DrawBuffers(state->draw_buffer_count, state->draw_buffers);
+    gl->BindSampler(EW_GL_DEPTH_TEXTURE_UNIT, state->sampler);
 }
 
 void ew_gl_restore_state(const ew_gl *gl, const ew_gl_state *state)
@@ -258,7 +261,6 @@ void ew_gl_restore_state(const ew_gl *gl, const ew_gl_state *state)
         gl->BindTexture(GL_TEXTURE_2D_MULTISAMPLE, state->multisampled_texture);
         gl->SampleMaski(0, (GLbitfield)state->sample_mask);
     }
-    gl->BindSampler(EW_GL_DEPTH_TEXTURE_UNIT, state->sampler);
     gl->ActiveTexture(state->active_texture);
 
     restore_uniform_binding(gl, state);

@@ -130,7 +130,8 @@ ew_result ew_plan_frame(ew_plan *plan, ew_sources *sources, const ew_mix *mix, c
     const ew_mix current = ew_sources_mix(sources);
     pack_viewport(plan, frame, &interval, unit_of(frame, sources, &interval));
     plan->permutation = ew_permutation_of(mix ? mix : &current, frame);
-    plan->target = (ew_target){frame->framebuffer, viewport, blend_of(frame->output), frame->encoding == EW_ENCODING_SRGB_8BIT};
+    plan->target = (ew_target){frame->framebuffer, viewport, blend_of(frame->output), frame->encoding == EW_ENCODING_SRGB_8BIT,
+                               frame->keep_stencil_test};
     plan->depth = (ew_depth_request){frame->depth_source, frame->depth_texture};
     plan->skips_restore = frame->skip_restore;
     return EW_OK;

@@ -225,6 +225,68 @@ static void a_viewport_beyond_the_context_s_largest_is_refused(void **unused)
     glow_draw(effect, &frame);
 }
 
+/* ---- Hosts that know no samplers, and keep their own cache of the state ---- */
+
+static void no_sampler_is_left_bound_without_restoration(void **unused)
+{
+    (void)unused;
+    ew_frame_desc frame = glow_frame(target.framebuffer);
+    frame.depth_source = EW_DEPTH_FRAMEBUFFER;
+    frame.skip_restore = 1;
+    canvas_clear_depth(&target, 1, (const GLint[4]){0, 0, 1, 1}, 1);
+    glow_draw(effect, &frame);
+    GLint sampler = -1;
+    gl.ActiveTexture(GL_TEXTURE0);
+    gl.GetIntegerv(GL_SAMPLER_BINDING, &sampler);
+    assert_int_equal(sampler, 0);
+}
+
+/* ---- Portals and mirrors ---- */
+
+static void stencil_left_half(GLint inside)
+{
+    gl.BindFramebuffer(GL_FRAMEBUFFER, target.framebuffer);
+    gl.ClearStencil(1 - inside);
+    gl.Clear(GL_STENCIL_BUFFER_BIT);
+    gl.ClearStencil(inside);
+    gl.Scissor(0, 0, WIDTH / 2, HEIGHT);
+    gl.Enable(GL_SCISSOR_TEST);
+    gl.Clear(GL_STENCIL_BUFFER_BIT);
+    gl.Disable(GL_SCISSOR_TEST);
+    gl.StencilFuncSeparate(GL_FRONT_AND_BACK, GL_EQUAL, 1, 0xFF);
+    gl.StencilOpSeparate(GL_FRONT_AND_BACK, GL_KEEP, GL_KEEP, GL_KEEP);
+    gl.Enable(GL_STENCIL_TEST);
+}
+
+/* Draws with the host's stencil test on, and expects light in all pixels for which it is wanted, and in no others. */
+static void expect_light(bool keeps_stencil_test, bool skips_restore, GLint inside)
+{
+    static picture everywhere, found;
+    ew_frame_desc frame = glow_frame(target.framebuffer);
+    measure(&frame, everywhere);
+    frame.keep_stencil_test = keeps_stencil_test;
+    frame.skip_restore = skips_restore;
+    stencil_left_half(inside);
+    measure(&frame, found);
+    if (!skips_restore) assert_true(gl.IsEnabled(GL_STENCIL_TEST));
+    gl.Disable(GL_STENCIL_TEST);
+    for (int row = 0; row < HEIGHT; row++)
+        for (int column = 0; column < WIDTH; column++) {
+            bool passes = !keeps_stencil_test || (column < WIDTH / 2) == inside;
+            expect_equal((double)found[row][column][0], passes ? (double)everywhere[row][column][0] : 0);
+        }
+}
+
+static void the_stencil_test_is_kept_on_request_alone(void **unused)
+{
+    (void)unused;
+    for (int skips_restore = 0; skips_restore < 2; skips_restore++)
+        for (GLint inside = 0; inside < 2; inside++) {
+            expect_light(false, skips_restore, inside);
+            expect_light(true, skips_restore, inside);
+        }
+}
+
 int main(int argc, char **argv)
 {
     if (argc != 2 || (context = open_context(argv[1], NULL)) == NULL) return 2;
@@ -239,6 +301,8 @@ int main(int argc, char **argv)
         cmocka_unit_test(a_target_of_integers_is_refused),
         cmocka_unit_test(a_target_of_several_views_is_refused),
         cmocka_unit_test(a_viewport_beyond_the_context_s_largest_is_refused),
+        cmocka_unit_test(no_sampler_is_left_bound_without_restoration),
+        cmocka_unit_test(the_stencil_test_is_kept_on_request_alone),
         cmocka_unit_test(gl_has_nothing_to_say),
     };
     int failed = cmocka_run_group_tests_name(argv[1], tests, NULL, NULL);

@@ -388,6 +388,9 @@ static void values_outside_an_enumeration_are_refused(void **state)
         frame = good_frame();
         frame.skip_restore = bad[i];
         expect_refused(&frame, "skip_restore");
+        frame = good_frame();
+        frame.keep_stencil_test = bad[i];
+        expect_refused(&frame, "keep_stencil_test");
     }
 }
 
