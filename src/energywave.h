@@ -368,9 +368,9 @@ typedef enum ew_encoding {
     EW_ENCODING_FLOAT,       /* a float format, or one of more than 8 bits a channel, stored without conversion */
 } ew_encoding;
 
-/* Where to read the depth of the opaque scene, which hides the light behind it. It must have been written with the frame's
- * `projection` and GL's default depth range, and its pixels must be those of the target. Where there is no surface, it must
- * hold the far plane's depth. The viewport and the target may be smaller than the depth. */
+/* Where to read the depth of the opaque scene, which hides the light behind it. Its pixels must be those of the target; the
+ * viewport and the target may be smaller. Depth in the form of a depth buffer must have been written with the frame's
+ * `projection` and GL's default depth range, and must be the far plane's where there is no surface. */
 typedef enum ew_depth_source {
     /* Level 0 of `depth_texture`, a 2D texture of a depth or depth-stencil format, or of a float format with the depth in its
      * red channel. Its swizzle, base level, compare mode, filters and depth-stencil mode do not matter. 0 means that nothing is
@@ -388,6 +388,10 @@ typedef enum ew_depth_source {
      * drawn with its own depth, as above. OpenGL ES reduces the samples to one depth a pixel, in a way of its own choice, so
      * edges may be a pixel off. */
     EW_DEPTH_FRAMEBUFFER,
+    /* Level 0 of `depth_texture`, a 2D texture of a float format, with the view depth in world units in its red channel,
+     * whatever the projection: of a deferred renderer, or of one whose depth buffer is logarithmic. Where there is no surface
+     * it must be infinite, or beyond all light. 0 means that nothing is opaque. */
+    EW_DEPTH_TEXTURE_LINEAR,
 } ew_depth_source;
 
 /* One frame. Start from EW_FRAME_DEFAULTS and set the camera, the interval and the target. */

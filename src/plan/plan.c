@@ -35,6 +35,7 @@ static void pack_viewport(ew_plan *plan, const ew_frame_desc *frame, const ew_in
     const ew_viewport viewport = viewport_of(frame);
     struct ew_frame_block *block = &plan->uniforms.frame;
     ew_pack_rays(&view, interval, unit, &viewport, block);
+    if (frame->depth_source == EW_DEPTH_TEXTURE_LINEAR) ew_pack_linear_depth(interval, block);
     double growth = core_growth_of(frame);
     block->core_floor.x = ew_is_parallel(&view) ? 0 : (float)(growth * growth);
     block->core_floor.z = ew_is_parallel(&view) ? (float)(growth * growth / (unit * unit)) : 0;

@@ -274,6 +274,66 @@ static double largest_difference(picture a, picture b)
     return largest;
 }
 
+/* The projection's depths may be anything then: a logarithmic buffer's, say. */
+static void linear_view_depth_has_the_luminance_of_the_reference(void **unused)
+{
+    (void)unused;
+    static const glow_lens lenses[] = {{.left = -0.55, .right = 0.25, .bottom = -0.2, .top = 0.4},
+                                       {.parallel = true, .left = -2.4, .right = 2.4, .bottom = -1.8, .top = 1.8}};
+    static double truth[HEIGHT][WIDTH];
+    static picture found;
+    static depths values;
+    for (int i = 0; i < 2; i++) {
+        ew_frame_desc frame = glow_frame(0);
+        glow_projection(&lenses[i], -1.02, -1.01, frame.projection);
+        double brightest = compute_truth(&lenses[i], &frame, truth);
+        for (int pixel = 0; pixel < WIDTH * HEIGHT; pixel++)
+            values[pixel / WIDTH][pixel % WIDTH] = (GLfloat)scene_depth(&lenses[i], pixel % WIDTH, pixel / WIDTH);
+        frame.depth_source = EW_DEPTH_TEXTURE_LINEAR;
+        frame.depth_texture = make_depth_texture(GL_R32F, values);
+        measure(&frame, found);
+        gl.DeleteTextures(1, &frame.depth_texture);
+        for (int pixel = 0; pixel < WIDTH * HEIGHT; pixel++) {
+            double expected = truth[pixel / WIDTH][pixel % WIDTH], light = (double)found[pixel / WIDTH][pixel % WIDTH][0];
+            assert_true(fabs(light - expected) <= 1e-3 * fmax(expected, 1e-3 * brightest));
+        }
+    }
+}
+
+/* In the world integral, light goes on beyond the far plane. */
+static void linear_view_depth_is_open_where_it_is_infinite(void **unused)
+{
+    (void)unused;
+    static const ew_point orb = {.position = {0.2, 0.1, 0}, .brightness = 1, .core = 0.2, .reach = 3};
+    static const float linear[] = {INFINITY, 1e30f, 6, 5.5f, 0, -1, -INFINITY, NAN};
+    enum { COUNT = sizeof linear / sizeof linear[0] };
+    static depths values;
+    static picture open, expected, found;
+    assert_int_equal(ew_set_sources(effect, &(ew_sources_desc){.points = &orb, .point_count = 1}, NULL), EW_OK);
+    ew_frame_desc frame = glow_frame(0);
+    frame.interval_start = frame.interval_end = 0;
+    measure(&frame, open);
+    for (int i = 0; i < WIDTH * HEIGHT; i++) {
+        double depth = (double)linear[i % COUNT];
+        bool is_surface = depth > 0 && depth < 1e3;
+        double window = is_surface ? window_depth(&frame, &glow_default_lens, 0, 0, depth) : depth > 0;
+        values[i / WIDTH][i % WIDTH] = (GLfloat)window;
+    }
+    frame.depth_texture = make_depth_texture(GL_DEPTH_COMPONENT32F, values);
+    measure(&frame, expected);
+    gl.DeleteTextures(1, &frame.depth_texture);
+    for (int i = 0; i < WIDTH * HEIGHT; i++)
+        values[i / WIDTH][i % WIDTH] = linear[i % COUNT];
+    frame.depth_source = EW_DEPTH_TEXTURE_LINEAR;
+    frame.depth_texture = make_depth_texture(GL_R32F, values);
+    measure(&frame, found);
+    gl.DeleteTextures(1, &frame.depth_texture);
+    for (int i = 0; i < WIDTH * HEIGHT; i++)
+        if (i % COUNT < 2) assert_true(found[i / WIDTH][i % WIDTH][0] == open[i / WIDTH][i % WIDTH][0]);
+    assert_true(largest_difference(expected, found) <= 1e-4);
+    assert_int_equal(ew_set_sources(effect, &glow_sources, NULL), EW_OK);
+}
+
 /* The depths as a fixed-point format keeps them. */
 static void quantize(depths values, int bits, depths kept)
 {
@@ -933,6 +993,8 @@ int main(int argc, char **argv)
 
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_projection_has_the_luminance_of_the_reference),
+        cmocka_unit_test(linear_view_depth_has_the_luminance_of_the_reference),
+        cmocka_unit_test(linear_view_depth_is_open_where_it_is_infinite),
         cmocka_unit_test(every_format_of_a_depth_texture_is_read),
         cmocka_unit_test(depths_that_no_scene_has_leave_a_picture_of_numbers),
         cmocka_unit_test(what_the_host_set_on_its_texture_does_not_matter_and_stays),
