@@ -369,8 +369,9 @@ typedef enum ew_encoding {
 } ew_encoding;
 
 /* Where to read the depth of the opaque scene, which hides the light behind it. Its pixels must be those of the target; the
- * viewport and the target may be smaller. Depth in the form of a depth buffer must have been written with the frame's
- * `projection` and GL's default depth range, and must be the far plane's where there is no surface. */
+ * viewport and the target may be smaller, and only pixels that are on both need a depth. Depth in the form of a depth buffer
+ * must have been written with the frame's `projection` and GL's default depth range, and must be the far plane's where there is
+ * no surface. */
 typedef enum ew_depth_source {
     /* Level 0 of `depth_texture`, a 2D texture of a depth or depth-stencil format, or of a float format with the depth in its
      * red channel. Its swizzle, base level, compare mode, filters and depth-stencil mode do not matter. 0 means that nothing is

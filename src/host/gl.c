@@ -41,6 +41,7 @@ DEFINE_LOAD(common, EW_GL_FUNCTIONS)
 DEFINE_LOAD(indexed_mask, EW_GL_INDEXED_MASK_FUNCTIONS)
 DEFINE_LOAD(indexed_blend, EW_GL_INDEXED_BLEND_FUNCTIONS)
 DEFINE_LOAD(multisample, EW_GL_MULTISAMPLE_FUNCTIONS)
+DEFINE_LOAD(texture_query, EW_GL_TEXTURE_QUERY_FUNCTIONS)
 DEFINE_LOAD(viewport_array, EW_GL_VIEWPORT_ARRAY_FUNCTIONS)
 DEFINE_LOAD(pipeline, EW_GL_PIPELINE_FUNCTIONS)
 DEFINE_LOAD(transform_feedback, EW_GL_TRANSFORM_FEEDBACK_FUNCTIONS)
@@ -86,6 +87,7 @@ static const struct group {
       {true, NEVER, "GL_OES_draw_buffers_indexed", "OES"},
       {true, NEVER, "GL_EXT_draw_buffers_indexed", "EXT"}}},
     {load_multisample, {{false, 32, NULL, ""}, {true, 31, NULL, ""}}},
+    {load_texture_query, {{false, 45, "GL_ARB_direct_state_access", ""}}},
     {load_viewport_array, {{false, 41, "GL_ARB_viewport_array", ""}, {true, NEVER, "GL_OES_viewport_array", "OES"}}},
     {load_pipeline, {{false, 41, "GL_ARB_separate_shader_objects", ""}, {true, 31, "GL_EXT_separate_shader_objects", "EXT"}}},
     {load_transform_feedback, {{false, 40, "GL_ARB_transform_feedback2", ""}, {true, 30, NULL, ""}}},

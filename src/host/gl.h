@@ -15,6 +15,7 @@
     X(PFNGLBINDBUFFERBASEPROC, BindBufferBase)                                                                                 \
     X(PFNGLBINDBUFFERRANGEPROC, BindBufferRange)                                                                               \
     X(PFNGLBINDFRAMEBUFFERPROC, BindFramebuffer)                                                                               \
+    X(PFNGLBINDRENDERBUFFERPROC, BindRenderbuffer)                                                                             \
     X(PFNGLBINDSAMPLERPROC, BindSampler)                                                                                       \
     X(PFNGLBINDTEXTUREPROC, BindTexture)                                                                                       \
     X(PFNGLBINDVERTEXARRAYPROC, BindVertexArray)                                                                               \
@@ -56,6 +57,7 @@
     X(PFNGLGETINTEGERVPROC, GetIntegerv)                                                                                       \
     X(PFNGLGETPROGRAMINFOLOGPROC, GetProgramInfoLog)                                                                           \
     X(PFNGLGETPROGRAMIVPROC, GetProgramiv)                                                                                     \
+    X(PFNGLGETRENDERBUFFERPARAMETERIVPROC, GetRenderbufferParameteriv)                                                         \
     X(PFNGLGETSHADERINFOLOGPROC, GetShaderInfoLog)                                                                             \
     X(PFNGLGETSHADERIVPROC, GetShaderiv)                                                                                       \
     X(PFNGLGETSTRINGPROC, GetString)                                                                                           \
@@ -95,6 +97,8 @@
 #define EW_GL_MULTISAMPLE_FUNCTIONS(X)                                                                                         \
     X(PFNGLGETTEXLEVELPARAMETERIVPROC, GetTexLevelParameteriv)                                                                 \
     X(PFNGLSAMPLEMASKIPROC, SampleMaski)
+/* Questions about textures that are not bound. */
+#define EW_GL_TEXTURE_QUERY_FUNCTIONS(X) X(PFNGLGETTEXTURELEVELPARAMETERIVPROC, GetTextureLevelParameteriv)
 /* One viewport of a viewport array. */
 #define EW_GL_VIEWPORT_ARRAY_FUNCTIONS(X) X(PFNGLVIEWPORTINDEXEDFPROC, ViewportIndexedf)
 /* Program pipelines. */
@@ -121,6 +125,7 @@ typedef struct ew_gl {
     EW_GL_INDEXED_MASK_FUNCTIONS(EW_GL_MEMBER)
     EW_GL_INDEXED_BLEND_FUNCTIONS(EW_GL_MEMBER)
     EW_GL_MULTISAMPLE_FUNCTIONS(EW_GL_MEMBER)
+    EW_GL_TEXTURE_QUERY_FUNCTIONS(EW_GL_MEMBER)
     EW_GL_VIEWPORT_ARRAY_FUNCTIONS(EW_GL_MEMBER)
     EW_GL_PIPELINE_FUNCTIONS(EW_GL_MEMBER)
     EW_GL_TRANSFORM_FEEDBACK_FUNCTIONS(EW_GL_MEMBER)
