@@ -363,9 +363,11 @@ typedef enum ew_output {
  * had set. OpenGL ES without EXT_sRGB_write_control has no such switch: there GL encodes exactly if the format is sRGB, and the
  * encoding given here only decides the form of `dither`. */
 typedef enum ew_encoding {
-    EW_ENCODING_LINEAR_8BIT, /* 8 bits a channel, stored without conversion, even in an sRGB format */
-    EW_ENCODING_SRGB_8BIT,   /* an sRGB format, or an sRGB capable window: GL encodes */
-    EW_ENCODING_FLOAT,       /* a float format, or one of more than 8 bits a channel, stored without conversion */
+    EW_ENCODING_LINEAR_8BIT,  /* 8 bits a channel, stored without conversion, even in an sRGB format */
+    EW_ENCODING_SRGB_8BIT,    /* an sRGB format, or an sRGB capable window: GL encodes */
+    EW_ENCODING_FLOAT,        /* a float format, or one of more than 8 bits a channel, stored without conversion */
+    EW_ENCODING_LINEAR_10BIT, /* 10 bits a channel (RGB10_A2), stored without conversion; `dither` fits its steps */
+    EW_ENCODING_FLOAT_11BIT,  /* small floats (R11F_G11F_B10F), stored without conversion; `dither` fits their steps */
 } ew_encoding;
 
 /* Where to read the depth of the opaque scene, which hides the light behind it. Its pixels must be those of the target; the
@@ -437,8 +439,8 @@ typedef struct ew_frame_desc {
     int viewport_width;
     int viewport_height;
     ew_encoding encoding;
-    /* 1 adds noise of at most half a step of an 8-bit target, so that faint glow does not band; 0 adds none. The noise stays
-     * with its pixel from frame to frame and does not change the mean. Alpha, pixels without light, EW_ENCODING_FLOAT and the
+    /* 1 adds noise of at most half a step of the target, so that faint glow does not band; 0 adds none. The noise stays with
+     * its pixel from frame to frame and does not change the mean. Alpha, pixels without light, EW_ENCODING_FLOAT and the
      * outputs that are measurements get none. Where light of less than half a step darkens a brighter background, bands
      * remain. */
     int dither;

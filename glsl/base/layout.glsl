@@ -6,7 +6,7 @@
 // L(s) = S + s V with S.z = 0 and V.z = -1. s runs from 0 to 1, in the world integral to the interval's length.
 
 struct ew_frame_block {
-    vec4 pixel_center; // xy: where NDC (0, 0) lies in gl_FragCoord; zw: unused
+    vec4 pixel_center; // xy: where NDC (0, 0) lies in gl_FragCoord; z, w: the target's steps (see ew_target_step)
     vec4 ray_center;   // xy: S.xy, zw: V.xy of the ray there
     vec4 ray_right;    // growth of both from one pixel to the next on the right
     vec4 ray_up;       // growth of both from one pixel to the next above

@@ -96,7 +96,7 @@ ew_result ew_check_target(const ew_frame_desc *frame, ew_error *error)
         return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "viewport_width and viewport_height must be > 0");
     const choice choices[] = {
         {(int)frame->output, EW_OUTPUT_EVALUATIONS, "output must be one of ew_output"},
-        {(int)frame->encoding, EW_ENCODING_FLOAT, "encoding must be one of ew_encoding"},
+        {(int)frame->encoding, EW_ENCODING_FLOAT_11BIT, "encoding must be one of ew_encoding"},
         {(int)frame->depth_source, EW_DEPTH_TEXTURE_LINEAR, "depth_source must be one of ew_depth_source"},
         {frame->dither, 1, "dither must be 0 or 1"},
         {frame->keep_stencil_test, 1, "keep_stencil_test must be 0 or 1"},

@@ -28,6 +28,19 @@ static double core_growth_of(const ew_frame_desc *frame)
     return 0.5 * ew_core_pixels_of(frame) * ew_pixel_height(&view, &viewport);
 }
 
+/* Fills the steps between the values that the target stores: see ew_target_step. R11F_G11F_B10F has 6 bits behind a float's
+ * leading one. */
+static void pack_target_steps(ew_encoding encoding, struct ew_frame_block *block)
+{
+    static const struct {
+        float fixed, relative;
+    } steps[] = {[EW_ENCODING_LINEAR_8BIT] = {1.0f / 255, 0},
+                 [EW_ENCODING_LINEAR_10BIT] = {1.0f / 1023, 0},
+                 [EW_ENCODING_FLOAT_11BIT] = {0, 1.0f / 64}};
+    block->pixel_center.z = steps[encoding].fixed;
+    block->pixel_center.w = steps[encoding].relative;
+}
+
 /* Fills what depends on the viewport: the rays of its pixels, and how wide cores are at the least. */
 static void pack_viewport(ew_plan *plan, const ew_frame_desc *frame, const ew_interval *interval, double unit)
 {
@@ -130,6 +143,7 @@ ew_result ew_plan_frame(ew_plan *plan, ew_sources *sources, const ew_mix *mix, c
     const ew_viewport viewport = viewport_of(frame);
     const ew_mix current = ew_sources_mix(sources);
     pack_viewport(plan, frame, &interval, unit_of(frame, sources, &interval));
+    pack_target_steps(frame->encoding, &plan->uniforms.frame);
     plan->permutation = ew_permutation_of(mix ? mix : &current, frame);
     plan->target = (ew_target){frame->framebuffer, viewport, blend_of(frame->output), frame->encoding == EW_ENCODING_SRGB_8BIT,
                                frame->keep_stencil_test};
