@@ -397,7 +397,8 @@ typedef enum ew_depth_source {
     EW_DEPTH_TEXTURE_LINEAR,
 } ew_depth_source;
 
-/* One frame. Start from EW_FRAME_DEFAULTS and set the camera, the interval and the target. */
+/* One frame. Start from EW_FRAME_DEFAULTS and set the camera and the target. The defaults suit a window of 8 bits a channel: a
+ * composite that does not clip, with dither. For a float target set `encoding`, and an output that keeps what is above 1. */
 typedef struct ew_frame_desc {
     /* World to view: a rotation or a reflection, and a translation; no scale, no shear. Where rounding in floats has made it
      * drift, by up to 1e-3 in each entry of R^T R and 1e-6 in the last row, the rotation next to it is taken, with the same
@@ -481,8 +482,8 @@ typedef struct ew_frame_desc {
         .projection = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1, -1, 0, 0, -0.2, 0}, .clip_depth = EW_CLIP_DEPTH_NEGATIVE_ONE_TO_ONE,  \
         .interval_start = 0, .interval_end = 0, .decay_alpha = 1, .decay_beta = 1, .core_pixels = EW_CORE_PIXELS_DEFAULT,      \
         .exposure = 1, .integrator = EW_INTEGRATOR_ADAPTIVE, .quality = EW_QUALITY_ERROR_1E_3, .simpson_divisions = 200,       \
-        .output = EW_OUTPUT_LERP, .framebuffer = 0, .viewport_x = 0, .viewport_y = 0, .viewport_width = 0,                     \
-        .viewport_height = 0, .encoding = EW_ENCODING_LINEAR_8BIT, .dither = 0, .depth_source = EW_DEPTH_TEXTURE,              \
+        .output = EW_OUTPUT_SOFT, .framebuffer = 0, .viewport_x = 0, .viewport_y = 0, .viewport_width = 0,                     \
+        .viewport_height = 0, .encoding = EW_ENCODING_LINEAR_8BIT, .dither = 1, .depth_source = EW_DEPTH_TEXTURE,              \
         .depth_texture = 0, .keep_stencil_test = 0, .skip_restore = 0                                                          \
     }
 

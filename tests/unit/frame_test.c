@@ -44,6 +44,17 @@ static void the_defaults_need_only_a_viewport(void **state)
     expect_refused(NULL, "frame");
 }
 
+/* The composite neither clips nor leaves contours, and faint glow does not band. */
+static void the_defaults_suit_a_window_of_8_bits(void **state)
+{
+    (void)state;
+    const ew_frame_desc frame = EW_FRAME_DEFAULTS;
+    assert_int_equal(frame.output, EW_OUTPUT_SOFT);
+    assert_int_equal(frame.encoding, EW_ENCODING_LINEAR_8BIT);
+    assert_int_equal(frame.dither, 1);
+    assert_int_equal(frame.framebuffer, 0);
+}
+
 static void every_number_that_is_not_finite_is_refused_by_name(void **state)
 {
     (void)state;
@@ -409,6 +420,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_defaults_need_only_a_viewport),
+        cmocka_unit_test(the_defaults_suit_a_window_of_8_bits),
         cmocka_unit_test(every_number_that_is_not_finite_is_refused_by_name),
         cmocka_unit_test(a_view_that_is_not_rigid_is_refused),
         cmocka_unit_test(a_view_that_was_kept_in_floats_is_taken),
