@@ -87,14 +87,21 @@ ew_result ew_get_bounds(ew_effect *effect, const ew_frame_desc *frame, ew_bounds
 ew_result ew_prepare(ew_effect *effect, const ew_mix *mix, const ew_frame_desc *frame, int *is_ready, ew_error *error)
 {
     if (!is_ready) return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "is_ready must not be NULL");
+    int steps_left;
+    ew_result result = ew_prepare_step(effect, mix, frame, &steps_left, error);
+    if (result == EW_OK) *is_ready = steps_left == 0;
+    return result;
+}
+
+ew_result ew_prepare_step(ew_effect *effect, const ew_mix *mix, const ew_frame_desc *frame, int *steps_left, ew_error *error)
+{
+    if (!steps_left) return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "steps_left must not be NULL");
     if (!effect) return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "effect must not be NULL");
     ew_frame_desc settled;
     ew_plan plan;
-    bool ready = false;
     ew_result result = ew_plan_frame(&plan, &effect->sources, mix, settle(effect, frame, &settled), error);
-    if (result == EW_OK) result = ew_execute_ahead(&effect->device, &plan, &effect->allocator, &ready, error);
-    if (result == EW_OK) *is_ready = ready;
-    return result;
+    if (result != EW_OK) return result;
+    return ew_execute_ahead(&effect->device, &plan, &effect->allocator, steps_left, error);
 }
 
 ew_result ew_get_shader_text(ew_effect *effect, const ew_mix *mix, const ew_frame_desc *frame, const char **text,

@@ -545,8 +545,9 @@ typedef struct ew_mix {
  * they change, to draw with their faster shader once that is ready. A shader that was prepared on a loading thread must be
  * prepared once more in the context that will draw, which is quicker.
  *
- * If the driver has GL_KHR_parallel_shader_compile, it compiles on threads of its own; if not, this call waits for the
- * compiler. Some drivers finish a shader only at its first draw, so a compiled shader draws once, outside of the viewport.
+ * A call takes one step of three at the most: it compiles, or links, or makes the first draw, in which some drivers finish a
+ * shader; that is outside of the viewport. If the driver has GL_KHR_parallel_shader_compile and compiles on threads of its own,
+ * no call waits for these. Others compile, link or draw while they are called, so a call takes as long as its step.
  *
  * mix:      NULL means the effect's current sources.
  * frame:    as for ew_draw.
@@ -554,6 +555,11 @@ typedef struct ew_mix {
  * Errors:   as for ew_draw.
  * GL:       as for ew_draw, but the picture does not change. */
 EW_API ew_result ew_prepare(ew_effect *effect, const ew_mix *mix, const ew_frame_desc *frame, int *is_ready, ew_error *error);
+
+/* The same, for a host that shows how far it has come: steps_left receives how many steps are left, 0 if the shader is ready.
+ * While the driver is at work on its threads, a call leaves the count as it was. */
+EW_API ew_result ew_prepare_step(ew_effect *effect, const ew_mix *mix, const ew_frame_desc *frame, int *steps_left,
+                                 ew_error *error);
 
 /* ---- The light in the host's own shaders -------------------------------------------------------------------------------- */
 

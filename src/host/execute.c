@@ -158,7 +158,7 @@ static ew_result check_names(const ew_gl *gl, const ew_plan *plan, ew_error *err
 typedef struct plan_task {
     const ew_plan *plan;
     const ew_allocator *allocator;
-    bool *is_ready; /* NULL: draw; else prepare */
+    int *steps_left; /* NULL: draw; else prepare */
 } plan_task;
 
 static ew_result draw_in_state(ew_device *device, const plan_task *task, ew_gl_state *state, ew_error *error)
@@ -175,11 +175,12 @@ static ew_result draw_in_state(ew_device *device, const plan_task *task, ew_gl_s
     ew_depth_kind depth = ew_depth_input_kind(gl, &plan->depth);
     unsigned key = ew_permutation_with_depth(plan->permutation, depth);
     GLuint program;
-    result = task->is_ready ? ew_program_prepare(&device->programs, gl, task->allocator, key, &program, error)
-                            : ew_program_get(&device->programs, gl, task->allocator, key, &program, error);
+    int steps_left = 0;
+    result = task->steps_left ? ew_program_prepare(&device->programs, gl, task->allocator, key, &program, &steps_left, error)
+                              : ew_program_get(&device->programs, gl, task->allocator, key, &program, error);
     if (result == EW_OK && program)
-        result = draw(device, plan, depth, program, task->is_ready ? OUTSIDE_VERTEX : QUAD_VERTEX, error);
-    if (result == EW_OK && task->is_ready) *task->is_ready = program != 0;
+        result = draw(device, plan, depth, program, task->steps_left ? OUTSIDE_VERTEX : QUAD_VERTEX, error);
+    if (result == EW_OK && task->steps_left) *task->steps_left = steps_left;
     return result;
 }
 
@@ -207,8 +208,8 @@ ew_result ew_execute(ew_device *device, const ew_plan *plan, const ew_allocator 
     return execute(device, &(plan_task){plan, allocator, NULL}, error);
 }
 
-ew_result ew_execute_ahead(ew_device *device, const ew_plan *plan, const ew_allocator *allocator, bool *is_ready,
+ew_result ew_execute_ahead(ew_device *device, const ew_plan *plan, const ew_allocator *allocator, int *steps_left,
                            ew_error *error)
 {
-    return execute(device, &(plan_task){plan, allocator, is_ready}, error);
+    return execute(device, &(plan_task){plan, allocator, steps_left}, error);
 }

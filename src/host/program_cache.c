@@ -70,13 +70,18 @@ static ew_result finish(ew_program_cache *cache, const ew_gl *gl, struct ew_cach
 }
 
 ew_result ew_program_prepare(ew_program_cache *cache, const ew_gl *gl, const ew_allocator *allocator, unsigned key,
-                             GLuint *name, ew_error *error)
+                             GLuint *name, int *steps_left, ew_error *error)
 {
-    struct ew_cached_program *entry;
-    ew_result result = start(cache, gl, allocator, key, &entry, error);
-    if (result != EW_OK) return result;
+    struct ew_cached_program *entry = find(cache, key);
     *name = 0;
+    *steps_left = entry ? 1 : 2;
+    if (!entry) return start(cache, gl, allocator, key, &entry, error);
+    if (!entry->program.is_linking) {
+        ew_program_link(gl, &entry->program);
+        return EW_OK;
+    }
     if (!ew_program_is_complete(gl, &entry->program)) return EW_OK;
+    *steps_left = 0;
     return finish(cache, gl, entry, name, error);
 }
 

@@ -554,9 +554,9 @@ static void effect_draw(int context, const test_target *target)
 {
     const ew_frame_desc frame = effect_frame(context, target);
     ew_error error = {.text = ""};
-    int is_ready;
-    if (context == SCRAMBLED && ew_prepare(effects[context], NULL, &frame, &is_ready, &error) != EW_OK)
-        fail_msg("%s", error.text);
+    int is_ready = context != SCRAMBLED;
+    while (!is_ready)
+        if (ew_prepare(effects[context], NULL, &frame, &is_ready, &error) != EW_OK) fail_msg("%s", error.text);
     if (ew_draw(effects[context], &frame, &error) != EW_OK) fail_msg("%s", error.text);
 }
 
