@@ -74,6 +74,7 @@ static bool read_frames(const char *text, void *target)
 {
     demo_options *options = target;
     const char *end;
+    options->has_frames = true;
     if (!read_count(text, &end, &options->first_frame)) return false;
     options->last_frame = options->first_frame;
     if (*end == '\0') return true;
@@ -97,6 +98,10 @@ static bool check(const demo_options *options, char *message, size_t size)
     bool several = options->last_frame > options->first_frame;
     if (!options->offscreen && (output || options->video))
         message_write(message, size, "%s: is only written without a window; add --offscreen", output ? output : options->video);
+    else if (!options->offscreen && options->has_frames)
+        message_write(message, size, "--frames: is only for pictures; add --offscreen");
+    else if (!options->offscreen && options->backend != CONTEXT_AUTO)
+        message_write(message, size, "--backend: is only for pictures; add --offscreen");
     else if (options->offscreen && !output && !options->video)
         message_write(message, size, "--offscreen: no output is requested; add -o frames/%%05d.png or --video demo.mp4");
     else if (output && image_format_of(output) != IMAGE_PNG)
