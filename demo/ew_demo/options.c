@@ -19,7 +19,7 @@ static const char help[] =
     "      --split NAME        integrator of the right half of the picture\n"
     "      --show WHAT         picture (default); evaluations, how often each pixel's ray was evaluated; or error, compared\n"
     "                          with Simpson's rule of 16384 divisions (4096 without an interval), which takes long\n"
-    "      --samples N         N x N samples a pixel smooth the edges of shapes, 1 (default) to 4\n"
+    "      --samples N         N x N samples a pixel smooth the edges of shapes, 1 (the fastest) to 4 (default 2)\n"
     "      --flight            the court's camera flies from 100 m away into the orb in each repetition\n"
     "      --offscreen         write pictures or a video instead, without a window or a display\n"
     "      --frames A-B        frames A to B, or only A; the first is 0 (default 0-299, a whole repetition)\n"
