@@ -155,6 +155,14 @@ bool ew_gl_is_software(const char *renderer)
     return false;
 }
 
+/* Browsers list extensions that are not switched on. There, the loader has no function for them, and a query is an error. */
+static bool has_clip_control(const ew_gl *gl, const function_loader *loader)
+{
+    if (gl->es)
+        return has_extension(gl, "GL_EXT_clip_control") && loader->get_proc_address(loader->user, "glClipControlEXT") != NULL;
+    return gl->version >= 45 || has_extension(gl, "GL_ARB_clip_control");
+}
+
 bool ew_gl_is_upside_down(const ew_gl *gl)
 {
     GLint origin = GL_LOWER_LEFT;
@@ -209,8 +217,7 @@ ew_result ew_gl_load(ew_gl *gl, ew_gl_function (*get_proc_address)(void *user, c
     gl->GetIntegerv(GL_MAX_DRAW_BUFFERS, &gl->max_draw_buffers);
     gl->GetIntegerv(GL_MAX_VIEWPORT_DIMS, gl->max_viewport);
     gl->software = ew_gl_is_software((const char *)gl->GetString(GL_RENDERER));
-    gl->clip_control =
-        gl->es ? has_extension(gl, "GL_EXT_clip_control") : gl->version >= 45 || has_extension(gl, "GL_ARB_clip_control");
+    gl->clip_control = has_clip_control(gl, &loader);
     gl->framebuffer_srgb = !gl->es || has_extension(gl, "GL_EXT_sRGB_write_control");
     gl->multisample = !gl->es || has_extension(gl, "GL_EXT_multisample_compatibility");
     gl->layered_framebuffers = !gl->es || gl->version >= 32 || has_extension(gl, "GL_OES_geometry_shader") ||
