@@ -85,10 +85,8 @@ int main(void)
         glUniformMatrix4fv(glGetUniformLocation(program, "camera"), 2, GL_FALSE, camera[0]);
         glDrawArraysInstanced(GL_TRIANGLES, 0, 36, 5);
         orb.position[1] = sin(2 * angle);
-        frame.output = EW_OUTPUT_SOFT;
         frame.depth_source = EW_DEPTH_FRAMEBUFFER;
         frame.encoding = EW_ENCODING_SRGB_8BIT;
-        frame.dither = 1;
         check(ew_set_sources(effect, &sources, &error) == EW_OK, error.text);
         if (frame.viewport_width > 0) check(ew_draw(effect, &frame, &error) == EW_OK, error.text);
         glfwSwapBuffers(window);

@@ -39,9 +39,15 @@ ew_result ew_create_effect(const ew_effect_desc *desc, ew_effect **effect, ew_er
 
 void ew_destroy_effect(ew_effect *effect)
 {
+    if (effect) ew_device_destroy(&effect->device);
+    ew_abandon_effect(effect);
+}
+
+void ew_abandon_effect(ew_effect *effect)
+{
     if (!effect) return;
     const ew_allocator allocator = effect->allocator;
-    ew_device_destroy(&effect->device, &allocator);
+    ew_device_abandon(&effect->device, &allocator);
     ew_sources_destroy(&effect->sources, &allocator);
     if (effect->shader_text) allocator.deallocate(allocator.user, effect->shader_text);
     allocator.deallocate(allocator.user, effect);
@@ -53,11 +59,20 @@ ew_result ew_set_sources(ew_effect *effect, const ew_sources_desc *sources, ew_e
     return ew_sources_set(&effect->sources, sources, ew_gl_dialect(&effect->device.gl).capacity, &effect->allocator, error);
 }
 
+/* The frame as it is planned, in `settled`. NULL for none. */
+static const ew_frame_desc *settle(const ew_effect *effect, const ew_frame_desc *frame, ew_frame_desc *settled)
+{
+    if (!frame) return NULL;
+    *settled = ew_settle_frame(frame, ew_gl_is_upside_down(&effect->device.gl));
+    return settled;
+}
+
 ew_result ew_draw(ew_effect *effect, const ew_frame_desc *frame, ew_error *error)
 {
     if (!effect) return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "effect must not be NULL");
+    ew_frame_desc settled;
     ew_plan plan;
-    ew_result result = ew_plan_frame(&plan, &effect->sources, NULL, frame, error);
+    ew_result result = ew_plan_frame(&plan, &effect->sources, NULL, settle(effect, frame, &settled), error);
     return result == EW_OK ? ew_execute(&effect->device, &plan, &effect->allocator, error) : result;
 }
 
@@ -65,19 +80,28 @@ ew_result ew_get_bounds(ew_effect *effect, const ew_frame_desc *frame, ew_bounds
 {
     if (!effect) return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "effect must not be NULL");
     if (!bounds) return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "bounds must not be NULL");
-    return ew_plan_bounds(&effect->sources, frame, bounds, error);
+    ew_frame_desc settled;
+    return ew_plan_bounds(&effect->sources, settle(effect, frame, &settled), bounds, error);
 }
 
 ew_result ew_prepare(ew_effect *effect, const ew_mix *mix, const ew_frame_desc *frame, int *is_ready, ew_error *error)
 {
     if (!is_ready) return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "is_ready must not be NULL");
-    if (!effect) return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "effect must not be NULL");
-    ew_plan plan;
-    bool ready = false;
-    ew_result result = ew_plan_frame(&plan, &effect->sources, mix, frame, error);
-    if (result == EW_OK) result = ew_execute_ahead(&effect->device, &plan, &effect->allocator, &ready, error);
-    if (result == EW_OK) *is_ready = ready;
+    int steps_left;
+    ew_result result = ew_prepare_step(effect, mix, frame, &steps_left, error);
+    if (result == EW_OK) *is_ready = steps_left == 0;
     return result;
+}
+
+ew_result ew_prepare_step(ew_effect *effect, const ew_mix *mix, const ew_frame_desc *frame, int *steps_left, ew_error *error)
+{
+    if (!steps_left) return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "steps_left must not be NULL");
+    if (!effect) return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "effect must not be NULL");
+    ew_frame_desc settled;
+    ew_plan plan;
+    ew_result result = ew_plan_frame(&plan, &effect->sources, mix, settle(effect, frame, &settled), error);
+    if (result != EW_OK) return result;
+    return ew_execute_ahead(&effect->device, &plan, &effect->allocator, steps_left, error);
 }
 
 ew_result ew_get_shader_text(ew_effect *effect, const ew_mix *mix, const ew_frame_desc *frame, const char **text,
@@ -108,8 +132,9 @@ ew_result ew_update_uniform_buffer(ew_effect *effect, const ew_frame_desc *frame
 {
     if (!effect) return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "effect must not be NULL");
     if (!buffer) return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "buffer must not be NULL");
+    ew_frame_desc settled;
     ew_plan plan;
-    ew_result result = ew_plan_uniforms(&plan, &effect->sources, frame, error);
+    ew_result result = ew_plan_uniforms(&plan, &effect->sources, settle(effect, frame, &settled), error);
     if (result != EW_OK) return result;
     ew_upload(&effect->device, &plan);
     *buffer = effect->device.uniform_buffer;

@@ -306,8 +306,14 @@ EW_API ew_result ew_create_effect(const ew_effect_desc *desc, ew_effect **effect
 EW_API ew_result ew_set_sources(ew_effect *effect, const ew_sources_desc *sources, ew_error *error);
 
 /* Destroys the effect and its GL objects. `effect` may be NULL.
- * GL:     the context must be current; leaves all state as it was. */
+ * GL:     a context of the effect must be current; leaves all state as it was. If there is none any more, call
+ *         ew_abandon_effect. */
 EW_API void ew_destroy_effect(ew_effect *effect);
+
+/* Lets go of an effect whose context is lost, or gone: frees its memory and leaves its GL objects to the context that had them.
+ * Their names may be those of other objects in a new context, where ew_destroy_effect would delete these. `effect` may be NULL.
+ * GL:     calls none, and needs no context. */
+EW_API void ew_abandon_effect(ew_effect *effect);
 
 /* ---- Frame -------------------------------------------------------------------------------------------------------------- */
 
@@ -372,14 +378,17 @@ typedef enum ew_output {
  * had set. OpenGL ES without EXT_sRGB_write_control has no such switch: there GL encodes exactly if the format is sRGB, and the
  * encoding given here only decides the form of `dither`. */
 typedef enum ew_encoding {
-    EW_ENCODING_LINEAR_8BIT, /* 8 bits a channel, stored without conversion, even in an sRGB format */
-    EW_ENCODING_SRGB_8BIT,   /* an sRGB format, or an sRGB capable window: GL encodes */
-    EW_ENCODING_FLOAT,       /* a float format, or one of more than 8 bits a channel, stored without conversion */
+    EW_ENCODING_LINEAR_8BIT,  /* 8 bits a channel, stored without conversion, even in an sRGB format */
+    EW_ENCODING_SRGB_8BIT,    /* an sRGB format, or an sRGB capable window: GL encodes */
+    EW_ENCODING_FLOAT,        /* a float format, or one of more than 8 bits a channel, stored without conversion */
+    EW_ENCODING_LINEAR_10BIT, /* 10 bits a channel (RGB10_A2), stored without conversion; `dither` fits its steps */
+    EW_ENCODING_FLOAT_11BIT,  /* small floats (R11F_G11F_B10F), stored without conversion; `dither` fits their steps */
 } ew_encoding;
 
-/* Where to read the depth of the opaque scene, which hides the light behind it. It must have been written with the frame's
- * `projection` and GL's default depth range, and its pixels must be those of the target. Where there is no surface, it must
- * hold the far plane's depth. The viewport and the target may be smaller than the depth. */
+/* Where to read the depth of the opaque scene, which hides the light behind it. Its pixels must be those of the target; the
+ * viewport and the target may be smaller, and only pixels that are on both need a depth. Depth in the form of a depth buffer
+ * must have been written with the frame's `projection` and GL's default depth range, and must be the far plane's where there is
+ * no surface. */
 typedef enum ew_depth_source {
     /* Level 0 of `depth_texture`, a 2D texture of a depth or depth-stencil format, or of a float format with the depth in its
      * red channel. Its swizzle, base level, compare mode, filters and depth-stencil mode do not matter. 0 means that nothing is
@@ -397,15 +406,22 @@ typedef enum ew_depth_source {
      * drawn with its own depth, as above. OpenGL ES reduces the samples to one depth a pixel, in a way of its own choice, so
      * edges may be a pixel off. */
     EW_DEPTH_FRAMEBUFFER,
+    /* Level 0 of `depth_texture`, a 2D texture of a float format, with the view depth in world units in its red channel,
+     * whatever the projection: of a deferred renderer, or of one whose depth buffer is logarithmic. Where there is no surface
+     * it must be infinite, or beyond all light. 0 means that nothing is opaque. */
+    EW_DEPTH_TEXTURE_LINEAR,
 } ew_depth_source;
 
-/* One frame. Start from EW_FRAME_DEFAULTS and set the camera, the interval and the target. */
+/* One frame. Start from EW_FRAME_DEFAULTS and set the camera and the target. The defaults suit a window of 8 bits a channel: a
+ * composite that does not clip, with dither. For a float target set `encoding`, and an output that keeps what is above 1. */
 typedef struct ew_frame_desc {
-    /* World to view: a rotation or a reflection, and a translation; no scale, no shear. A source may be neither larger, nor
-     * farther from the camera, than 1e6 times the interval's length. */
+    /* World to view: a rotation or a reflection, and a translation; no scale, no shear. Where rounding in floats has made it
+     * drift, by up to 1e-3 in each entry of R^T R and 1e-6 in the last row, the rotation next to it is taken, with the same
+     * eye. A source may be neither larger, nor farther from the camera, than 1e6 times the interval's length. */
     double view[16];
     /* View to clip: any perspective or parallel projection, including off-axis, jittered, oblique, reversed and infinite ones.
-     * The view may extend to at most 1e6 times the interval's length on either side of the axis. */
+     * The view may extend to at most 1e6 times the interval's length on either side of the axis. Where the host has set
+     * glClipControl(GL_UPPER_LEFT, ...), the light is turned over as the host's own drawing is: the matrix stays the same. */
     double projection[16];
     ew_clip_depth clip_depth;
 
@@ -430,16 +446,18 @@ typedef struct ew_frame_desc {
     ew_resolution resolution;
 
     ew_output output;
-    /* Where to draw: a framebuffer of the current context (0 is the window's), and the rectangle in it, in pixels, that the
-     * projection's NDC square covers. x and y are its lower left corner; width and height must be > 0. */
+    /* Where to draw: a framebuffer of the current context (0 is the window's). Its draw buffer 0 must have an image that is not
+     * of integers, and a single layer: of an array, a cube map or a target of several views, attach one layer at a time. */
     unsigned framebuffer;
+    /* The rectangle in it, in pixels, that the projection's NDC square covers. x and y are its lower left corner; width and
+     * height must be > 0, and at most what the context says at GL_MAX_VIEWPORT_DIMS. */
     int viewport_x;
     int viewport_y;
     int viewport_width;
     int viewport_height;
     ew_encoding encoding;
-    /* 1 adds noise of at most half a step of an 8-bit target, so that faint glow does not band; 0 adds none. The noise stays
-     * with its pixel from frame to frame and does not change the mean. Alpha, pixels without light, EW_ENCODING_FLOAT and the
+    /* 1 adds noise of at most half a step of the target, so that faint glow does not band; 0 adds none. The noise stays with
+     * its pixel from frame to frame and does not change the mean. Alpha, pixels without light, EW_ENCODING_FLOAT and the
      * outputs that are measurements get none. Where light of less than half a step darkens a brighter background, bands
      * remain. */
     int dither;
@@ -449,11 +467,16 @@ typedef struct ew_frame_desc {
      * reading a texture while drawing to it is undefined in GL. */
     unsigned depth_texture;
 
+    /* 1: the host's stencil test stays as it is, on or off, so that light is drawn only where a portal or a mirror is, say. Its
+     * operations apply, too; the host sets the same for front and back faces. 0: the test is off. */
+    int keep_stencil_test;
+
     /* 0: ew_draw leaves all state as it was. 1: it saves and restores nothing. That is for hosts that keep their own cache of
      * GL's state; whether the call succeeds or fails, they must then set the following anew:
      *
      *   - the program in use, the vertex array, GL_UNIFORM_BUFFER and its indexed binding 0
-     *   - the active texture unit, the samplers and 2D textures of the units 0 to 4, and unit 0's multisampled 2D texture
+     *   - the active texture unit, the 2D textures of the units 0 to 4, unit 0's multisampled 2D texture, and these units'
+     *     samplers: there are none bound afterwards, so that a host which knows no samplers need not mind
      *   - the draw framebuffer and the read framebuffer
      *   - viewport 0's rectangle; draw buffer 0's blend enable, blend factors, blend equations and colour mask
      *   - word 0 of the sample mask, glPolygonMode, and in the compatibility profile glClampColor for fragments
@@ -475,9 +498,9 @@ typedef struct ew_frame_desc {
         .projection = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1, -1, 0, 0, -0.2, 0}, .clip_depth = EW_CLIP_DEPTH_NEGATIVE_ONE_TO_ONE,  \
         .interval_start = 0, .interval_end = 0, .decay_alpha = 1, .decay_beta = 1, .core_pixels = EW_CORE_PIXELS_DEFAULT,      \
         .exposure = 1, .integrator = EW_INTEGRATOR_ADAPTIVE, .quality = EW_QUALITY_ERROR_1E_3, .simpson_divisions = 200,       \
-        .resolution = EW_RESOLUTION_ADAPTIVE, .output = EW_OUTPUT_LERP, .framebuffer = 0, .viewport_x = 0, .viewport_y = 0,    \
-        .viewport_width = 0, .viewport_height = 0, .encoding = EW_ENCODING_LINEAR_8BIT, .dither = 0,                           \
-        .depth_source = EW_DEPTH_TEXTURE, .depth_texture = 0, .skip_restore = 0                                                \
+        .resolution = EW_RESOLUTION_ADAPTIVE, .output = EW_OUTPUT_SOFT, .framebuffer = 0, .viewport_x = 0, .viewport_y = 0,    \
+        .viewport_width = 0, .viewport_height = 0, .encoding = EW_ENCODING_LINEAR_8BIT, .dither = 1,                           \
+        .depth_source = EW_DEPTH_TEXTURE, .depth_texture = 0, .keep_stencil_test = 0, .skip_restore = 0                        \
     }
 
 /* Draws the effect over what the framebuffer holds. The host's scissor (that of viewport 0), conditional rendering and
@@ -504,7 +527,7 @@ typedef struct ew_bounds {
  * frame:  as ew_draw would take it.
  * bounds: receives the bounds; unchanged on failure.
  * Errors: INVALID_ARGUMENT.
- * GL:     is not called. */
+ * GL:     the context must be current: its clip origin is asked for. Changes nothing. */
 EW_API ew_result ew_get_bounds(ew_effect *effect, const ew_frame_desc *frame, ew_bounds *bounds, ew_error *error);
 
 /* ---- Compiling ahead ---------------------------------------------------------------------------------------------------- */
@@ -538,8 +561,9 @@ typedef struct ew_mix {
  * they change, to draw with their faster shader once that is ready. A shader that was prepared on a loading thread must be
  * prepared once more in the context that will draw, which is quicker.
  *
- * If the driver has GL_KHR_parallel_shader_compile, it compiles on threads of its own; if not, this call waits for the
- * compiler. Some drivers finish a shader only at its first draw, so a compiled shader draws once, outside of the viewport.
+ * A call takes one step of three at the most: it compiles, or links, or makes the first draw, in which some drivers finish a
+ * shader; that is outside of the viewport. If the driver has GL_KHR_parallel_shader_compile and compiles on threads of its own,
+ * no call waits for these. Others compile, link or draw while they are called, so a call takes as long as its step.
  *
  * mix:      NULL means the effect's current sources.
  * frame:    as for ew_draw.
@@ -547,6 +571,11 @@ typedef struct ew_mix {
  * Errors:   as for ew_draw.
  * GL:       as for ew_draw, but the picture does not change. */
 EW_API ew_result ew_prepare(ew_effect *effect, const ew_mix *mix, const ew_frame_desc *frame, int *is_ready, ew_error *error);
+
+/* The same, for a host that shows how far it has come: steps_left receives how many steps are left, 0 if the shader is ready.
+ * While the driver is at work on its threads, a call leaves the count as it was. */
+EW_API ew_result ew_prepare_step(ew_effect *effect, const ew_mix *mix, const ew_frame_desc *frame, int *steps_left,
+                                 ew_error *error);
 
 /* ---- The light in the host's own shaders -------------------------------------------------------------------------------- */
 

@@ -1,10 +1,24 @@
 /* How long the GPU takes: see gpu_timer.h. */
 #include "gpu_timer.h"
 
+#include <stdbool.h>
+#include <string.h>
+
+/* A rasteriser in software draws when it likes, not where the commands are, and there is no GPU to time. */
+static bool is_software(const gl_functions *gl)
+{
+    static const char *const names[] = {"llvmpipe", "softpipe", "swrast", "SwiftShader", "Software"};
+    const char *renderer = (const char *)gl->GetString(GL_RENDERER);
+    for (size_t i = 0; renderer && i < sizeof names / sizeof *names; i++)
+        if (strstr(renderer, names[i])) return true;
+    return false;
+}
+
 void gpu_timer_create(const gl_functions *gl, gpu_timer *timer)
 {
     GLint bits = 0;
     *timer = (gpu_timer){.milliseconds = -1};
+    if (is_software(gl)) return;
     gl->GetQueryiv(GL_TIME_ELAPSED, GL_QUERY_COUNTER_BITS, &bits);
     if (bits > 0) gl->GenQueries(GPU_TIMER_QUERIES, timer->queries);
 }

@@ -9,7 +9,7 @@
 enum { GPU_TIMER_QUERIES = 4 };
 
 typedef struct gpu_timer {
-    GLuint queries[GPU_TIMER_QUERIES]; /* 0 where this GL has no timer */
+    GLuint queries[GPU_TIMER_QUERIES]; /* 0 where this GL has no timer, or no GPU */
     unsigned begun;
     unsigned finished;
     double milliseconds; /* the last known time; negative while there is none */

@@ -32,7 +32,7 @@ int main(int argc, char **argv)
                             .frames_per_second = 30,
                             .settings = {1280, 720, EW_INTEGRATOR_ADAPTIVE, EW_QUALITY_ERROR_1E_3, 200, EW_RESOLUTION_ADAPTIVE},
                             .right = {.integrator = EW_INTEGRATOR_SIMPSON, .simpson_divisions = 128},
-                            .samples_per_axis = 1,
+                            .samples_per_axis = 2,
                             .backend = CONTEXT_AUTO};
     char message[600];
     if (options_read(argc, argv, &options, message, sizeof message) && run(&options, message, sizeof message))

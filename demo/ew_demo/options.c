@@ -20,7 +20,7 @@ static const char help[] =
     "      --split NAME        integrator of the right half of the picture\n"
     "      --show WHAT         picture (default); evaluations, how often each pixel's ray was evaluated; or error, compared\n"
     "                          with Simpson's rule of 16384 divisions (4096 without an interval), which takes long\n"
-    "      --samples N         N x N samples a pixel smooth the edges of shapes, 1 (default) to 4\n"
+    "      --samples N         N x N samples a pixel smooth the edges of shapes, 1 (the fastest) to 4 (default 2)\n"
     "      --flight            the court's camera flies from 100 m away into the orb in each repetition\n"
     "      --offscreen         write pictures or a video instead, without a window or a display\n"
     "      --frames A-B        frames A to B, or only A; the first is 0 (default 0-299, a whole repetition)\n"
@@ -75,6 +75,7 @@ static bool read_frames(const char *text, void *target)
 {
     demo_options *options = target;
     const char *end;
+    options->has_frames = true;
     if (!read_count(text, &end, &options->first_frame)) return false;
     options->last_frame = options->first_frame;
     if (*end == '\0') return true;
@@ -98,6 +99,10 @@ static bool check(const demo_options *options, char *message, size_t size)
     bool several = options->last_frame > options->first_frame;
     if (!options->offscreen && (output || options->video))
         message_write(message, size, "%s: is only written without a window; add --offscreen", output ? output : options->video);
+    else if (!options->offscreen && options->has_frames)
+        message_write(message, size, "--frames: is only for pictures; add --offscreen");
+    else if (!options->offscreen && options->backend != CONTEXT_AUTO)
+        message_write(message, size, "--backend: is only for pictures; add --offscreen");
     else if (options->offscreen && !output && !options->video)
         message_write(message, size, "--offscreen: no output is requested; add -o frames/%%05d.png or --video demo.mp4");
     else if (output && image_format_of(output) != IMAGE_PNG)

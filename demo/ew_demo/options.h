@@ -17,6 +17,7 @@ typedef struct demo_options {
     bool offscreen;
     int first_frame; /* the animation begins with frame 0 */
     int last_frame;  /* included */
+    bool has_frames; /* whether they were asked for */
     int frames_per_second;
     const char *output; /* a printf format of pictures' names, for the frame's number; NULL for none */
     const char *video;  /* NULL for none */

@@ -87,7 +87,9 @@ static void describe(text_lines *lines, const panel_view *view)
     if (view->is_animated)
         add(lines, "   %.2f s, frame %.0f, speed x%g%s", view->seconds, floor(view->seconds * view->frames_per_second + 1e-6),
             view->time_scale, view->is_paused ? ", paused" : "");
-    add(lines, "\n%.1f ms per frame, %.0f fps\n", view->frame_milliseconds, 1000 / fmax(view->frame_milliseconds, 1e-3));
+    add(lines, "\n");
+    if (view->frame_milliseconds > 0)
+        add(lines, "%.1f ms per frame, %.0f fps\n", view->frame_milliseconds, 1000 / view->frame_milliseconds);
     for (int half = 0; half < (view->split ? 2 : 1); half++)
         describe_half(lines, view, half);
     add(lines, "%s\nH: keys", view->gl_name);
@@ -114,9 +116,33 @@ static void draw_scale(demo_overlay *overlay, const panel_view *view, int width,
     }
 }
 
-static void draw_lower_left(demo_overlay *overlay, int height, double scale, const char *text, const unsigned char color[4])
+/* Breaks a line at its spaces, or within a word that is too wide by itself, so that it is no wider than `width`. */
+static void wrap(text_lines *lines, const char *text, double width, double scale)
 {
-    draw_box(overlay, 8 * scale, height - (OVERLAY_LINE + 20) * scale, scale, text, color);
+    size_t start = 0, space = 0;
+    for (; *text; text++) {
+        add(lines, "%c", *text);
+        if (overlay_text_width(lines->text + start, scale) <= width) {
+            if (*text == ' ') space = lines->length - 1;
+            continue;
+        }
+        if (space > start) {
+            lines->text[space] = '\n';
+            start = space + 1;
+        } else {
+            lines->text[lines->length - 1] = '\n';
+            start = lines->length;
+            add(lines, "%c", *text);
+        }
+    }
+}
+
+static void draw_lower_left(demo_overlay *overlay, int width, int height, double scale, const char *text,
+                            const unsigned char color[4])
+{
+    text_lines lines = {.length = 0};
+    wrap(&lines, text, width - 28 * scale, scale);
+    draw_box(overlay, 8 * scale, height - (line_count(lines.text) * OVERLAY_LINE + 20) * scale, scale, lines.text, color);
 }
 
 void panel_draw(demo_overlay *overlay, const panel_view *view, int width, int height, double scale)
@@ -129,8 +155,8 @@ void panel_draw(demo_overlay *overlay, const panel_view *view, int width, int he
     if (view->shows_panel && view->mode != DISPLAY_PICTURE) draw_scale(overlay, view, width, height, scale);
     if (view->shows_keys) draw_keys(overlay, (line_count(lines.text) * OVERLAY_LINE + 28) * scale, scale);
     if (view->error[0])
-        draw_lower_left(overlay, height, scale, view->error, red);
+        draw_lower_left(overlay, width, height, scale, view->error, red);
     else if (view->notice[0])
-        draw_lower_left(overlay, height, scale, view->notice, white);
+        draw_lower_left(overlay, width, height, scale, view->notice, white);
     overlay_draw(overlay, width, height);
 }

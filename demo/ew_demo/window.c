@@ -30,6 +30,12 @@ void window_notify(demo_window *window, const char *text)
     window->notice_until = glfwGetTime() + notice_seconds;
 }
 
+void window_show(demo_window *window, display_mode mode)
+{
+    window->next_mode = mode;
+    if (mode == DISPLAY_ERROR) window_notify(window, "computing the map of errors, which takes some seconds");
+}
+
 static bool loop(demo_window *window, char *message, size_t size)
 {
     window->last_time = glfwGetTime();
@@ -98,6 +104,7 @@ static bool begin(demo_window *window, char *message, size_t size)
     glfwSetCursorPosCallback(window->handle, window_on_cursor);
     glfwSetScrollCallback(window->handle, window_on_scroll);
     glfwSwapInterval(window->has_vsync);
+    window_show(window, window->options->mode);
     return true;
 }
 
@@ -115,7 +122,8 @@ bool window_run(const demo_options *options, char *message, size_t size)
     demo_window window = {.options = options, .time_scale = 1, .shows_panel = true, .has_vsync = true, .split = options->split};
     window.integrators[0] = options->settings;
     window.integrators[1] = options->right;
-    window.mode = options->mode;
+    /* A map of errors is announced first. */
+    window.mode = window.next_mode = options->mode == DISPLAY_ERROR ? DISPLAY_PICTURE : options->mode;
     window.last_count = -WINDOW_COUNT_SECONDS;
     if (options->scene && !scene_watch_begin(&window.file, options->scene)) {
         message_write(message, size, "%s", window.file.message);

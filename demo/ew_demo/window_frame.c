@@ -39,8 +39,9 @@ void window_advance(demo_window *window)
 {
     double now = glfwGetTime(), passed = now - window->last_time;
     window->last_time = now;
-    double share = window->frame_milliseconds > 1 ? 0.1 : 1;
-    window->frame_milliseconds += share * (1000 * passed - window->frame_milliseconds);
+    double share = window->frame_milliseconds > 0 ? 0.1 : 1;
+    /* The first frame compiles its shaders, and says nothing of the others. */
+    if (window->frames_begun++ > 1) window->frame_milliseconds += share * (1000 * passed - window->frame_milliseconds);
     if (!window->is_paused) window->seconds += passed * window->time_scale;
     window_fly(window, fmin(passed, 0.25));
     if (window->options->scene && now - window->last_look > look_seconds) {
@@ -106,5 +107,6 @@ bool window_draw(demo_window *window, int width, int height, char *message, size
     gl->BlitFramebuffer(0, 0, view.settings.width, view.settings.height, 0, 0, width, height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
     gl->BindFramebuffer(GL_FRAMEBUFFER, 0);
     draw_panel(window, width, height);
+    window->mode = window->next_mode;
     return true;
 }

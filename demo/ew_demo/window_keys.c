@@ -55,7 +55,7 @@ static void toggle_split(demo_window *window)
 
 static void next_map(demo_window *window)
 {
-    window->mode = (display_mode)((window->mode + 1) % 3);
+    window_show(window, (display_mode)((window->next_mode + 1) % 3));
 }
 
 static void toggle_keys(demo_window *window)

@@ -28,13 +28,14 @@ typedef struct demo_window {
     bool is_paused;
     camera_control camera;
     double cursor[2];
-    display_mode mode;
+    display_mode mode, next_mode; /* of this frame, and from the next one on */
     bool split;
     render_settings integrators[2];
     bool shows_panel, shows_keys, has_vsync;
     int windowed[4]; /* x, y, width and height outside the full screen */
 
-    double frame_milliseconds; /* mean of the last frames */
+    int frames_begun;
+    double frame_milliseconds; /* mean of the last frames; 0 before there were any */
     double last_time;          /* when the last frame began, by GLFW's clock */
     double last_look;          /* when the scene file was last looked at */
     double last_count;         /* when evaluations were last counted */
@@ -52,5 +53,8 @@ static inline const demo_scene *window_scene(const demo_window *window)
 
 /* Shows a line of text for a few seconds. */
 void window_notify(demo_window *window, const char *text);
+
+/* Shows a picture or a map from the next frame on. A map of errors takes long, which this frame says. */
+void window_show(demo_window *window, display_mode mode);
 
 #endif

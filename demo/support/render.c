@@ -52,6 +52,7 @@ ew_frame_desc render_frame(const demo_scene *scene, const render_settings *setti
     frame.simpson_divisions = settings->simpson_divisions;
     frame.resolution = settings->resolution;
     frame.output = scene->composite;
+    frame.encoding = EW_ENCODING_FLOAT;
     frame.framebuffer = target->effect_framebuffer;
     frame.viewport_width = settings->width;
     frame.viewport_height = settings->height;

@@ -72,6 +72,13 @@ float ew_field(ivec2 first, int stride)
 #define EW_WINDOW_DEPTH(place, i) ew_window_depth(place)
 #endif
 
+// Where there is no surface, view depth is infinite, and differences would be no numbers.
+float ew_finite_depth(ivec2 place, int i)
+{
+    float depth = EW_WINDOW_DEPTH(place, i);
+    return depth < 1e30 ? depth : 1e30;
+}
+
 // The surfaces of a patch, along the rays and in ray space.
 struct ew_relief {
     float step;  // how far they are off the plane through the patch's corners
@@ -87,10 +94,10 @@ ew_relief ew_find_relief(ivec2 first_pixel, int count, int pitch)
     ivec2 first = min(first_pixel, last);
     ivec2 end = min(first_pixel + count * pitch, last);
     vec2 size = vec2(max(end - first, 1));
-    float d00 = EW_WINDOW_DEPTH(origin + first, 0);
-    float d10 = EW_WINDOW_DEPTH(origin + ivec2(end.x, first.y), 0);
-    float d01 = EW_WINDOW_DEPTH(origin + ivec2(first.x, end.y), 0);
-    float d11 = EW_WINDOW_DEPTH(origin + end, 0);
+    float d00 = ew_finite_depth(origin + first, 0);
+    float d10 = ew_finite_depth(origin + ivec2(end.x, first.y), 0);
+    float d01 = ew_finite_depth(origin + ivec2(first.x, end.y), 0);
+    float d11 = ew_finite_depth(origin + end, 0);
     float off = 0.0, apart = 0.0, nearest = d00, farthest = d00;
     bool are_numbers = true;
     for (int y = 0; y <= count; ++y)
@@ -98,14 +105,15 @@ ew_relief ew_find_relief(ivec2 first_pixel, int count, int pitch)
             ivec2 place = min(first + pitch * ivec2(x, y), last);
             vec2 part = vec2(place - first) / size;
             float plane = mix(mix(d00, d10, part.x), mix(d01, d11, part.x), part.y);
-            float first_depth = EW_WINDOW_DEPTH(origin + place, 0);
+            float first_depth = ew_finite_depth(origin + place, 0);
             for (int i = 0; i < EW_SAMPLE_COUNT; ++i) {
-                float depth = EW_WINDOW_DEPTH(origin + place, i);
+                float depth = ew_finite_depth(origin + place, i);
+                float raw = EW_WINDOW_DEPTH(origin + place, i);
                 off = max(off, abs(depth - plane));
                 apart = max(apart, abs(depth - first_depth));
                 nearest = min(nearest, depth);
                 farthest = max(farthest, depth);
-                are_numbers = are_numbers && (floatBitsToInt(depth) & 0x7fffffff) <= 0x7f800000;
+                are_numbers = are_numbers && (floatBitsToInt(raw) & 0x7fffffff) <= 0x7f800000;
             }
         }
     vec2 pixel = vec2(origin + first) + 0.5 - ew_frame.pixel_center.xy;

@@ -24,9 +24,10 @@ float ew_window_depth_around(ivec2 place)
     ivec2 inside = clamp(place, first, first + ew_grid.viewport.zw - 1);
     ivec2 beyond = place - inside;
     float depth = EW_WINDOW_DEPTH(inside);
+    if (beyond == ivec2(0)) return depth;
     float slope_x = depth - EW_WINDOW_DEPTH(inside - ivec2(sign(beyond.x), 0));
     float slope_y = depth - EW_WINDOW_DEPTH(inside - ivec2(0, sign(beyond.y)));
-    return clamp(depth + float(abs(beyond.x)) * slope_x + float(abs(beyond.y)) * slope_y, 0.0, 1.0);
+    return depth + float(abs(beyond.x)) * slope_x + float(abs(beyond.y)) * slope_y;
 }
 #endif
 

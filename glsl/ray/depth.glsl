@@ -16,7 +16,8 @@ float ew_depth_correction(vec4 depth, vec2 pixel)
 //     s = w_S (d - d_S) / (w_S (d - d_S) + w_E (d_E - d)).
 //
 // This holds for every projection, reversed and infinite ones included. Inside the interval the divisor is a sum of positive
-// terms. d may be close to d_S or d_E, so both come as the sum of a float and its rounding error.
+// terms. d may be close to d_S or d_E, so both come as the sum of a float and its rounding error. With w = 1 it holds for view
+// depth as well.
 float ew_parameter_of_depth(vec2 pixel, float depth)
 {
     vec4 start = ew_frame.depth_start;
@@ -29,8 +30,9 @@ float ew_parameter_of_depth(vec2 pixel, float depth)
     bool is_number = (floatBitsToInt(depth) & 0x7fffffff) <= 0x7f800000;
     float inside = before_end > 0.0 ? behind_start / (behind_start + before_end) : 1.0;
 #ifdef EW_WORLD
-    // The depth of the far plane is that of no surface: what lies beyond it shines, S included.
-    bool is_open = ew_frame.depth_scale.y > 0.0 ? depth >= 1.0 : depth <= 0.0;
+    // Where there is no surface, what lies beyond the far plane shines, S included.
+    float no_surface = ew_frame.depth_scale.z;
+    bool is_open = clip_w_end > 0.0 ? depth >= no_surface : depth <= no_surface;
     if (is_number && is_open) return 1.0;
 #endif
     return is_number && behind_start > 0.0 ? inside : 0.0;

@@ -2,6 +2,7 @@
 #include "host/depth_input.h"
 
 #include "base/error.h"
+#include "host/depth_check.h"
 #include "host/state_guard.h"
 
 /* A parameter of depth textures that the core profile dropped. */
@@ -56,33 +57,13 @@ static ew_result bind_texture(const ew_gl *gl, const ew_plan *plan, GLenum targe
                    plan->depth.texture, multisampled ? "GL_TEXTURE_2D_MULTISAMPLE" : "GL_TEXTURE_2D");
 }
 
-static ew_result check_not_attached(const ew_gl *gl, const ew_plan *plan, ew_error *error)
-{
-    GLint type = GL_NONE, name = 0;
-    if (plan->target.framebuffer == 0) return EW_OK;
-    gl->GetFramebufferAttachmentParameteriv(GL_DRAW_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE,
-                                            &type);
-    if (type != GL_TEXTURE) return EW_OK;
-    gl->GetFramebufferAttachmentParameteriv(GL_DRAW_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_FRAMEBUFFER_ATTACHMENT_OBJECT_NAME,
-                                            &name);
-    if ((GLuint)name != plan->depth.texture) return EW_OK;
-    return ew_fail(error, EW_ERROR_INVALID_ARGUMENT,
-                   "depth_texture %u is attached to framebuffer %u, which GL cannot draw to while it reads the texture; detach "
-                   "it, or set depth_source to EW_DEPTH_FRAMEBUFFER",
-                   plan->depth.texture, plan->target.framebuffer);
-}
-
 static ew_result bind_host_texture(const ew_gl *gl, const ew_plan *plan, ew_depth_input *depth, ew_error *error)
 {
-    ew_result result = check_not_attached(gl, plan, error);
+    ew_result result = bind_texture(gl, plan, depth->target, error);
+    if (result == EW_OK) result = ew_depth_check(gl, plan, depth->target, error);
     if (result != EW_OK) return result;
-    result = bind_texture(gl, plan, depth->target, error);
-    if (result != EW_OK) return result;
-    if (depth->target == GL_TEXTURE_2D_MULTISAMPLE) {
+    if (depth->target == GL_TEXTURE_2D_MULTISAMPLE)
         gl->GetTexLevelParameteriv(depth->target, 0, GL_TEXTURE_SAMPLES, &depth->samples);
-        if (depth->samples < 1)
-            return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "depth_texture %u has no storage", plan->depth.texture);
-    }
     set_parameters(gl, depth);
     return EW_OK;
 }

@@ -4,6 +4,7 @@
 #include "base/error.h"
 #include "host/sample_passes.h"
 #include "host/state_guard.h"
+#include "host/target_check.h"
 
 ew_result ew_device_create(ew_device *device, const ew_effect_desc *desc, ew_error *error)
 {
@@ -21,15 +22,21 @@ ew_result ew_device_create(ew_device *device, const ew_effect_desc *desc, ew_err
     return EW_OK;
 }
 
-void ew_device_destroy(ew_device *device, const ew_allocator *allocator)
+void ew_device_destroy(ew_device *device)
 {
     const ew_gl *gl = &device->gl;
     for (int pass = 0; pass < EW_PASS_COUNT; ++pass)
-        ew_program_cache_destroy(&device->programs[pass], gl, allocator);
+        ew_program_cache_destroy(&device->programs[pass], gl);
     ew_grid_destroy(&device->grid, gl);
     ew_depth_copy_destroy(&device->depth_copy, gl);
     gl->DeleteSamplers(1, &device->depth_sampler);
     gl->DeleteBuffers(1, &device->uniform_buffer);
+}
+
+void ew_device_abandon(ew_device *device, const ew_allocator *allocator)
+{
+    for (int pass = 0; pass < EW_PASS_COUNT; ++pass)
+        ew_program_cache_abandon(&device->programs[pass], allocator);
 }
 
 /* ---- Uniforms ---- */
@@ -113,6 +120,7 @@ static ew_gl_draw_state draw_state(const ew_target *target)
         .source_alpha = factors[target->blend].source_alpha,
         .destination_alpha = factors[target->blend].destination_alpha,
         .framebuffer_srgb = target->encodes_srgb,
+        .keep_stencil_test = target->keeps_stencil_test,
     };
 }
 
@@ -136,29 +144,36 @@ static ew_result check_names(const ew_gl *gl, const ew_plan *plan, ew_error *err
 typedef struct plan_task {
     const ew_plan *plan;
     const ew_allocator *allocator;
-    bool *is_ready; /* NULL: draw; else prepare */
+    int *steps_left; /* NULL: draw; else prepare */
 } plan_task;
 
-/* Finds the program of a pass: a ready one or, where plans are prepared, maybe none yet. */
-static ew_result find_program(ew_device *device, const plan_task *task, ew_pass pass, unsigned key, ew_pass_programs *programs,
-                              ew_error *error)
+/* Finds the program of a pass; where plans are prepared, takes a step towards it. */
+static ew_result find_program(ew_device *device, const plan_task *task, ew_pass pass, unsigned key, GLuint *name,
+                              int *steps_left, ew_error *error)
 {
     ew_program_cache *cache = &device->programs[pass];
     unsigned pass_key = ew_permutation_of_pass(pass, key);
-    return task->is_ready ? ew_program_prepare(cache, &device->gl, task->allocator, pass_key, &programs->names[pass], error)
-                          : ew_program_get(cache, &device->gl, task->allocator, pass_key, &programs->names[pass], error);
+    *steps_left = 0;
+    if (!task->steps_left) return ew_program_get(cache, &device->gl, task->allocator, pass_key, name, error);
+    return ew_program_prepare(cache, &device->gl, task->allocator, pass_key, name, steps_left, error);
 }
 
-/* Finds the programs of all passes; `are_ready` says whether there are any to wait for. */
+/* Finds the programs of all passes. Where plans are prepared, takes a step towards each of them if the driver compiles on its own
+ * threads, and else towards the first that is not ready. */
 static ew_result find_programs(ew_device *device, const plan_task *task, bool on_grid, unsigned key, ew_pass_programs *programs,
-                               bool *are_ready, ew_error *error)
+                               int *steps_left, ew_error *error)
 {
-    *are_ready = true;
+    *steps_left = 0;
     for (int pass = 0; pass < EW_PASS_COUNT; ++pass) {
         if ((pass == EW_PASS_WAVE) == on_grid) continue;
-        ew_result result = find_program(device, task, (ew_pass)pass, key, programs, error);
+        if (*steps_left > 0 && !device->gl.parallel_shader_compile) {
+            *steps_left += ew_program_steps(&device->programs[pass], ew_permutation_of_pass((ew_pass)pass, key));
+            continue;
+        }
+        int steps;
+        ew_result result = find_program(device, task, (ew_pass)pass, key, &programs->names[pass], &steps, error);
         if (result != EW_OK) return result;
-        *are_ready = *are_ready && programs->names[pass] != 0;
+        *steps_left += steps;
     }
     return EW_OK;
 }
@@ -169,8 +184,10 @@ static ew_result draw_bound(ew_device *device, const plan_task *task, bool on_gr
 {
     if (on_grid && draw_on_grid(&device->grid, drawing, state)) return EW_OK;
     if (on_grid) {
-        ew_result result = find_program(device, task, EW_PASS_WAVE, key, &drawing->programs, error);
-        if (result != EW_OK || drawing->programs.names[EW_PASS_WAVE] == 0) return result;
+        GLuint *name = &drawing->programs.names[EW_PASS_WAVE];
+        int steps_left;
+        ew_result result = find_program(device, task, EW_PASS_WAVE, key, name, &steps_left, error);
+        if (result != EW_OK || steps_left > 0) return result;
     }
     draw_every_pixel(drawing);
     return EW_OK;
@@ -206,14 +223,17 @@ static ew_result draw_in_state(ew_device *device, const plan_task *task, ew_gl_s
     ew_gl_set_draw_state(gl, state, &wanted);
     if (gl->CheckFramebufferStatus(GL_DRAW_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
         return ew_fail(error, EW_ERROR_OPENGL, "framebuffer %u is not complete", plan->target.framebuffer);
+    ew_result result = ew_target_check(gl, &plan->target, error);
+    if (result != EW_OK) return result;
 
     ew_depth_kind depth = ew_depth_input_kind(gl, &plan->depth);
     unsigned key = ew_permutation_with_depth(plan->permutation, depth);
-    bool on_grid = plan->is_adaptive && gl->float_targets && !device->grid.is_refused, are_ready;
-    ew_drawing drawing = {.gl = gl, .plan = plan, .is_ahead = task->is_ready != NULL};
-    ew_result result = find_programs(device, task, on_grid, key, &drawing.programs, &are_ready, error);
-    if (result == EW_OK && are_ready) result = draw(device, task, on_grid, key, depth, &drawing, state, error);
-    if (result == EW_OK && task->is_ready) *task->is_ready = are_ready;
+    bool on_grid = plan->is_adaptive && gl->float_targets && !device->grid.is_refused;
+    int steps_left = 0;
+    ew_drawing drawing = {.gl = gl, .plan = plan, .is_ahead = task->steps_left != NULL};
+    result = find_programs(device, task, on_grid, key, &drawing.programs, &steps_left, error);
+    if (result == EW_OK && steps_left == 0) result = draw(device, task, on_grid, key, depth, &drawing, state, error);
+    if (result == EW_OK && task->steps_left) *task->steps_left = steps_left;
     return result;
 }
 
@@ -241,8 +261,8 @@ ew_result ew_execute(ew_device *device, const ew_plan *plan, const ew_allocator 
     return execute(device, &(plan_task){plan, allocator, NULL}, error);
 }
 
-ew_result ew_execute_ahead(ew_device *device, const ew_plan *plan, const ew_allocator *allocator, bool *is_ready,
+ew_result ew_execute_ahead(ew_device *device, const ew_plan *plan, const ew_allocator *allocator, int *steps_left,
                            ew_error *error)
 {
-    return execute(device, &(plan_task){plan, allocator, is_ready}, error);
+    return execute(device, &(plan_task){plan, allocator, steps_left}, error);
 }

@@ -21,14 +21,18 @@ typedef struct ew_device {
 /* Makes the device of the current context. On failure there is nothing to destroy. */
 ew_result ew_device_create(ew_device *device, const ew_effect_desc *desc, ew_error *error);
 
-void ew_device_destroy(ew_device *device, const ew_allocator *allocator);
+/* Deletes the device's GL objects. Its memory is left to ew_device_abandon. */
+void ew_device_destroy(ew_device *device);
+
+/* Frees the device's memory. Calls no GL. */
+void ew_device_abandon(ew_device *device, const ew_allocator *allocator);
 
 /* Draws the plan. Waits for a compiler if no program is ready that can. */
 ew_result ew_execute(ew_device *device, const ew_plan *plan, const ew_allocator *allocator, ew_error *error);
 
-/* Starts to make the plan's program, and if it is ready draws the plan outside of the view: some drivers finish shaders only in
- * a first draw. */
-ew_result ew_execute_ahead(ew_device *device, const ew_plan *plan, const ew_allocator *allocator, bool *is_ready,
+/* Takes one step towards a draw that does not wait, and says how many are left. Once the program is ready, the last step draws
+ * the plan outside of the view: some drivers finish shaders only in a first draw. */
+ew_result ew_execute_ahead(ew_device *device, const ew_plan *plan, const ew_allocator *allocator, int *steps_left,
                            ew_error *error);
 
 /* Fills the uniform buffer as the plan says, and leaves all bindings as they were. */

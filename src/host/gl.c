@@ -42,6 +42,7 @@ DEFINE_LOAD(common, EW_GL_FUNCTIONS)
 DEFINE_LOAD(indexed_mask, EW_GL_INDEXED_MASK_FUNCTIONS)
 DEFINE_LOAD(indexed_blend, EW_GL_INDEXED_BLEND_FUNCTIONS)
 DEFINE_LOAD(multisample, EW_GL_MULTISAMPLE_FUNCTIONS)
+DEFINE_LOAD(texture_query, EW_GL_TEXTURE_QUERY_FUNCTIONS)
 DEFINE_LOAD(viewport_array, EW_GL_VIEWPORT_ARRAY_FUNCTIONS)
 DEFINE_LOAD(pipeline, EW_GL_PIPELINE_FUNCTIONS)
 DEFINE_LOAD(transform_feedback, EW_GL_TRANSFORM_FEEDBACK_FUNCTIONS)
@@ -90,6 +91,7 @@ static const struct group {
       {true, NEVER, "GL_OES_draw_buffers_indexed", "OES"},
       {true, NEVER, "GL_EXT_draw_buffers_indexed", "EXT"}}},
     {load_multisample, {{false, 32, NULL, ""}, {true, 31, NULL, ""}}},
+    {load_texture_query, {{false, 45, "GL_ARB_direct_state_access", ""}}},
     {load_viewport_array, {{false, 41, "GL_ARB_viewport_array", ""}, {true, NEVER, "GL_OES_viewport_array", "OES"}}},
     {load_pipeline, {{false, 41, "GL_ARB_separate_shader_objects", ""}, {true, 31, "GL_EXT_separate_shader_objects", "EXT"}}},
     {load_transform_feedback, {{false, 40, "GL_ARB_transform_feedback2", ""}, {true, 30, NULL, ""}}},
@@ -159,6 +161,21 @@ bool ew_gl_is_software(const char *renderer)
     return false;
 }
 
+/* Browsers list extensions that are not switched on. There, the loader has no function for them, and a query is an error. */
+static bool has_clip_control(const ew_gl *gl, const function_loader *loader)
+{
+    if (gl->es)
+        return has_extension(gl, "GL_EXT_clip_control") && loader->get_proc_address(loader->user, "glClipControlEXT") != NULL;
+    return gl->version >= 45 || has_extension(gl, "GL_ARB_clip_control");
+}
+
+bool ew_gl_is_upside_down(const ew_gl *gl)
+{
+    GLint origin = GL_LOWER_LEFT;
+    if (gl->clip_control) gl->GetIntegerv(GL_CLIP_ORIGIN, &origin);
+    return origin == GL_UPPER_LEFT;
+}
+
 static ew_result fail_missing(const function_loader *loader, ew_error *error)
 {
     return ew_fail(error, EW_ERROR_MISSING_FUNCTION, "desc.get_proc_address returned NULL for %d function%s: %s%s",
@@ -204,13 +221,18 @@ ew_result ew_gl_load(ew_gl *gl, ew_gl_function (*get_proc_address)(void *user, c
     gl->GetIntegerv(GL_MAX_FRAGMENT_INPUT_COMPONENTS, &inputs);
     gl->max_varying_vectors = (outputs < inputs ? outputs : inputs) / 4 - 1;
     gl->GetIntegerv(GL_MAX_DRAW_BUFFERS, &gl->max_draw_buffers);
+    gl->GetIntegerv(GL_MAX_VIEWPORT_DIMS, gl->max_viewport);
     gl->software = ew_gl_is_software((const char *)gl->GetString(GL_RENDERER));
     GLfloat point_sizes[2] = {0, 0};
     gl->GetFloatv(gl->es ? ES_ALIASED_POINT_SIZE_RANGE : GL_POINT_SIZE_RANGE, point_sizes);
     gl->float_targets = point_sizes[1] >= EW_CELL_SIZE * EW_BLOCK_CELLS &&
                         (!gl->es || gl->version >= 32 || has_extension(gl, "GL_EXT_color_buffer_float"));
+    gl->clip_control = has_clip_control(gl, &loader);
     gl->framebuffer_srgb = !gl->es || has_extension(gl, "GL_EXT_sRGB_write_control");
     gl->multisample = !gl->es || has_extension(gl, "GL_EXT_multisample_compatibility");
+    gl->layered_framebuffers = !gl->es || gl->version >= 32 || has_extension(gl, "GL_OES_geometry_shader") ||
+                               has_extension(gl, "GL_EXT_geometry_shader");
+    gl->multiview = has_extension(gl, "GL_OVR_multiview");
     gl->stencil_texturing = gl->version >= (gl->es ? 31 : 43) || has_extension(gl, "GL_ARB_stencil_texturing");
     find_unwanted_capabilities(gl);
     return EW_OK;

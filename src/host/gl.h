@@ -15,6 +15,7 @@
     X(PFNGLBINDBUFFERBASEPROC, BindBufferBase)                                                                                 \
     X(PFNGLBINDBUFFERRANGEPROC, BindBufferRange)                                                                               \
     X(PFNGLBINDFRAMEBUFFERPROC, BindFramebuffer)                                                                               \
+    X(PFNGLBINDRENDERBUFFERPROC, BindRenderbuffer)                                                                             \
     X(PFNGLBINDSAMPLERPROC, BindSampler)                                                                                       \
     X(PFNGLBINDTEXTUREPROC, BindTexture)                                                                                       \
     X(PFNGLBINDVERTEXARRAYPROC, BindVertexArray)                                                                               \
@@ -56,6 +57,7 @@
     X(PFNGLGETINTEGERVPROC, GetIntegerv)                                                                                       \
     X(PFNGLGETPROGRAMINFOLOGPROC, GetProgramInfoLog)                                                                           \
     X(PFNGLGETPROGRAMIVPROC, GetProgramiv)                                                                                     \
+    X(PFNGLGETRENDERBUFFERPARAMETERIVPROC, GetRenderbufferParameteriv)                                                         \
     X(PFNGLGETSHADERINFOLOGPROC, GetShaderInfoLog)                                                                             \
     X(PFNGLGETSHADERIVPROC, GetShaderiv)                                                                                       \
     X(PFNGLGETSTRINGPROC, GetString)                                                                                           \
@@ -96,6 +98,8 @@
 #define EW_GL_MULTISAMPLE_FUNCTIONS(X)                                                                                         \
     X(PFNGLGETTEXLEVELPARAMETERIVPROC, GetTexLevelParameteriv)                                                                 \
     X(PFNGLSAMPLEMASKIPROC, SampleMaski)
+/* Questions about textures that are not bound. */
+#define EW_GL_TEXTURE_QUERY_FUNCTIONS(X) X(PFNGLGETTEXTURELEVELPARAMETERIVPROC, GetTextureLevelParameteriv)
 /* One viewport of a viewport array. */
 #define EW_GL_VIEWPORT_ARRAY_FUNCTIONS(X)                                                                                      \
     X(PFNGLSCISSORINDEXEDPROC, ScissorIndexed)                                                                                 \
@@ -124,6 +128,7 @@ typedef struct ew_gl {
     EW_GL_INDEXED_MASK_FUNCTIONS(EW_GL_MEMBER)
     EW_GL_INDEXED_BLEND_FUNCTIONS(EW_GL_MEMBER)
     EW_GL_MULTISAMPLE_FUNCTIONS(EW_GL_MEMBER)
+    EW_GL_TEXTURE_QUERY_FUNCTIONS(EW_GL_MEMBER)
     EW_GL_VIEWPORT_ARRAY_FUNCTIONS(EW_GL_MEMBER)
     EW_GL_PIPELINE_FUNCTIONS(EW_GL_MEMBER)
     EW_GL_TRANSFORM_FEEDBACK_FUNCTIONS(EW_GL_MEMBER)
@@ -139,10 +144,14 @@ typedef struct ew_gl {
     GLint max_uniform_block_size;
     GLint max_varying_vectors; /* from the vertex to the fragment shader, besides gl_Position */
     GLint max_draw_buffers;
-    bool float_targets;     /* textures of floats can be drawn to, and points be as large as a block of the grid */
-    bool framebuffer_srgb;  /* GL_FRAMEBUFFER_SRGB can be enabled and disabled */
-    bool multisample;       /* GL_MULTISAMPLE can be enabled and disabled */
-    bool stencil_texturing; /* textures have GL_DEPTH_STENCIL_TEXTURE_MODE */
+    GLint max_viewport[2];     /* width and height */
+    bool clip_control;         /* the host may have moved the clip origin */
+    bool float_targets;        /* textures of floats can be drawn to, and points be as large as a block of the grid */
+    bool framebuffer_srgb;     /* GL_FRAMEBUFFER_SRGB can be enabled and disabled */
+    bool multisample;          /* GL_MULTISAMPLE can be enabled and disabled */
+    bool layered_framebuffers; /* a whole array of images can be attached */
+    bool multiview;            /* the same by OVR_multiview */
+    bool stencil_texturing;    /* textures have GL_DEPTH_STENCIL_TEXTURE_MODE */
 
     /* Capabilities of this context, for glDisable, that must be off while the effect draws. */
     GLenum unwanted_capabilities[EW_GL_MAX_CAPABILITIES];
@@ -151,6 +160,9 @@ typedef struct ew_gl {
 
 /* Whether a GL_RENDERER string, which may be NULL, names a software rasteriser. */
 bool ew_gl_is_software(const char *renderer);
+
+/* Whether the context draws upside down: the host has set glClipControl(GL_UPPER_LEFT, ...). */
+bool ew_gl_is_upside_down(const ew_gl *gl);
 
 /* Loads the functions of the current context and finds out its abilities.
  *

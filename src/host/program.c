@@ -74,9 +74,14 @@ ew_result ew_program_start(const ew_gl *gl, ew_pass pass, unsigned key, const ew
     }
     gl->AttachShader(made.name, made.vertex_shader);
     gl->AttachShader(made.name, made.fragment_shader);
-    gl->LinkProgram(made.name);
     *program = made;
     return EW_OK;
+}
+
+void ew_program_link(const ew_gl *gl, ew_program *program)
+{
+    if (!program->is_linking) gl->LinkProgram(program->name);
+    program->is_linking = true;
 }
 
 bool ew_program_is_complete(const ew_gl *gl, const ew_program *program)
@@ -116,6 +121,7 @@ static ew_result fail_to_link(const ew_gl *gl, const ew_program *program, ew_err
 ew_result ew_program_finish(const ew_gl *gl, ew_program *program, ew_error *error)
 {
     if (program->is_ready) return EW_OK;
+    ew_program_link(gl, program);
     GLint linked = GL_FALSE;
     gl->GetProgramiv(program->name, GL_LINK_STATUS, &linked);
     if (!linked) {
@@ -127,7 +133,7 @@ ew_result ew_program_finish(const ew_gl *gl, ew_program *program, ew_error *erro
     gl->DetachShader(program->name, program->fragment_shader);
     gl->DeleteShader(program->vertex_shader);
     gl->DeleteShader(program->fragment_shader);
-    *program = (ew_program){.name = program->name, .is_ready = true};
+    *program = (ew_program){.name = program->name, .is_linking = true, .is_ready = true};
     assign_bindings(gl, program->name);
     return EW_OK;
 }

@@ -13,12 +13,17 @@ typedef struct ew_program {
     GLuint name;
     GLuint vertex_shader;
     GLuint fragment_shader;
+    bool is_linking; /* or linked */
     bool is_ready;
 } ew_program;
 
-/* Starts to make the program of `key`, with the library's own integrator (NULL) or another one. */
+/* Starts to make the program of a pass and `key`, with the library's own integrator (NULL) or another one: hands its shaders to the
+ * compiler. */
 ew_result ew_program_start(const ew_gl *gl, ew_pass pass, unsigned key, const ew_integrator_text *integrator,
                            ew_program *program, ew_error *error);
+
+/* Hands the program to the linker, once. */
+void ew_program_link(const ew_gl *gl, ew_program *program);
 
 /* Whether ew_program_finish would not wait, as far as the driver can tell. */
 bool ew_program_is_complete(const ew_gl *gl, const ew_program *program);

@@ -69,14 +69,25 @@ static ew_result finish(ew_program_cache *cache, const ew_gl *gl, struct ew_cach
     return result;
 }
 
-ew_result ew_program_prepare(ew_program_cache *cache, const ew_gl *gl, const ew_allocator *allocator, unsigned key,
-                             GLuint *name, ew_error *error)
+int ew_program_steps(const ew_program_cache *cache, unsigned key)
 {
-    struct ew_cached_program *entry;
-    ew_result result = start(cache, gl, allocator, key, &entry, error);
-    if (result != EW_OK) return result;
+    const struct ew_cached_program *entry = find(cache, key);
+    return !entry ? 3 : !entry->program.is_linking ? 2 : !entry->program.is_ready ? 1 : 0;
+}
+
+ew_result ew_program_prepare(ew_program_cache *cache, const ew_gl *gl, const ew_allocator *allocator, unsigned key,
+                             GLuint *name, int *steps_left, ew_error *error)
+{
+    struct ew_cached_program *entry = find(cache, key);
     *name = 0;
+    *steps_left = entry ? 1 : 2;
+    if (!entry) return start(cache, gl, allocator, key, &entry, error);
+    if (!entry->program.is_linking) {
+        ew_program_link(gl, &entry->program);
+        return EW_OK;
+    }
     if (!ew_program_is_complete(gl, &entry->program)) return EW_OK;
+    *steps_left = 0;
     return finish(cache, gl, entry, name, error);
 }
 
@@ -94,10 +105,14 @@ ew_result ew_program_get(ew_program_cache *cache, const ew_gl *gl, const ew_allo
     return finish(cache, gl, entry, name, error);
 }
 
-void ew_program_cache_destroy(ew_program_cache *cache, const ew_gl *gl, const ew_allocator *allocator)
+void ew_program_cache_destroy(ew_program_cache *cache, const ew_gl *gl)
 {
     for (size_t i = 0; i < cache->count; ++i)
         ew_program_destroy(gl, &cache->entries[i].program);
+}
+
+void ew_program_cache_abandon(ew_program_cache *cache, const ew_allocator *allocator)
+{
     if (cache->entries) allocator->deallocate(allocator->user, cache->entries);
     *cache = (ew_program_cache){.pass = cache->pass};
 }

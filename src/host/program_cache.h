@@ -15,16 +15,24 @@ typedef struct ew_program_cache {
     size_t capacity;
 } ew_program_cache;
 
-/* Starts to compile the program of `key`, unless the cache holds it. `name` receives its name if it is ready, or else 0. Waits
- * only if the driver cannot say whether a program is ready. Changes the program in use. */
+/* Takes one step towards the program of `key`: hands its shaders to the compiler, or the program to the linker, or makes it
+ * ready. `name` receives its name if it is ready, or else 0, and `steps_left` how many steps are left. Waits only if the driver
+ * cannot say whether a program is ready. Changes the program in use. */
 ew_result ew_program_prepare(ew_program_cache *cache, const ew_gl *gl, const ew_allocator *allocator, unsigned key,
-                             GLuint *name, ew_error *error);
+                             GLuint *name, int *steps_left, ew_error *error);
+
+/* How many steps it is to the program of `key`. */
+int ew_program_steps(const ew_program_cache *cache, unsigned key);
 
 /* Finds a ready program for `key`, or a ready one that is more general, or else compiles that of `key` and waits for it. `name`
  * receives its name. Changes the program in use. */
 ew_result ew_program_get(ew_program_cache *cache, const ew_gl *gl, const ew_allocator *allocator, unsigned key, GLuint *name,
                          ew_error *error);
 
-void ew_program_cache_destroy(ew_program_cache *cache, const ew_gl *gl, const ew_allocator *allocator);
+/* Deletes the programs. The list is left to ew_program_cache_abandon. */
+void ew_program_cache_destroy(ew_program_cache *cache, const ew_gl *gl);
+
+/* Frees the list. Calls no GL. */
+void ew_program_cache_abandon(ew_program_cache *cache, const ew_allocator *allocator);
 
 #endif

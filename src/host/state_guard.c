@@ -218,8 +218,10 @@ void ew_gl_set_draw_state(const ew_gl *gl, ew_gl_state *state, const ew_gl_draw_
     if (gl->PolygonMode) gl->PolygonMode(GL_FRONT_AND_BACK, GL_FILL);
     if (gl->ClampColor) gl->ClampColor(COMPATIBILITY_CLAMP_FRAGMENT_COLOR, GL_FALSE);
     if (gl->framebuffer_srgb) set_capability(gl, GL_FRAMEBUFFER_SRGB, draw->framebuffer_srgb);
-    for (int i = 0; i < gl->unwanted_capability_count; i++)
-        if (state->capabilities[i]) gl->Disable(gl->unwanted_capabilities[i]);
+    for (int i = 0; i < gl->unwanted_capability_count; i++) {
+        const GLenum capability = gl->unwanted_capabilities[i];
+        if (state->capabilities[i] && !(capability == GL_STENCIL_TEST && draw->keep_stencil_test)) gl->Disable(capability);
+    }
 }
 
 /* Scissors come in arrays where viewports do, and the effect draws with the first. */
@@ -287,6 +289,8 @@ void ew_gl_restore_objects(const ew_gl *gl, const ew_gl_state *state)
 {
     if (state->draw_buffer_count > 0) gl->DrawBuffers(state->draw_buffer_count, state->draw_buffers);
     if (state->is_scissor_changed) set_scissor(gl, state->scissor_test, state->scissor);
+    for (int unit = 0; unit < EW_GL_TEXTURE_UNIT_COUNT; ++unit)
+        gl->BindSampler((GLuint)unit, state->samplers[unit]);
 }
 
 void ew_gl_restore_state(const ew_gl *gl, const ew_gl_state *state)
@@ -319,7 +323,6 @@ void ew_gl_restore_state(const ew_gl *gl, const ew_gl_state *state)
     for (int unit = EW_GL_TEXTURE_UNIT_COUNT - 1; unit >= 0; --unit) {
         gl->ActiveTexture(GL_TEXTURE0 + (GLenum)unit);
         gl->BindTexture(GL_TEXTURE_2D, state->textures[unit]);
-        gl->BindSampler((GLuint)unit, state->samplers[unit]);
     }
     if (gl->SampleMaski) {
         gl->BindTexture(GL_TEXTURE_2D_MULTISAMPLE, state->multisampled_texture);

@@ -58,6 +58,7 @@ typedef struct ew_gl_draw_state {
     bool blend; /* with the factors below and GL_FUNC_ADD */
     GLenum source_rgb, destination_rgb, source_alpha, destination_alpha;
     bool framebuffer_srgb;
+    bool keep_stencil_test;
 } ew_gl_draw_state;
 
 /* The guard has three limits. Samples that the effect draws count in the host's active queries. An object that was bound, and
@@ -75,9 +76,9 @@ ew_result ew_gl_save_state(const ew_gl *gl, ew_gl_state *state, ew_error *error)
 void ew_gl_assume_state(const ew_gl *gl, ew_gl_state *state);
 
 /* Sets all state that could influence triangles over the viewport, drawn with the effect's program and vertex array. The host's
- * scissor, GL_DITHER and conditional rendering stay in force. Multisampling stays the host's, with the sample mask off. Until
- * the restore, the caller may change GL_MULTISAMPLE, GL_SAMPLE_MASK and word 0 of the mask; it must switch GL_SAMPLE_MASK
- * off again. */
+ * scissor, GL_DITHER and conditional rendering stay in force, and its stencil test if that is to be kept. Multisampling stays
+ * the host's, with the sample mask off. Until the restore, the caller may change GL_MULTISAMPLE, GL_SAMPLE_MASK and word 0 of
+ * the mask; it must switch GL_SAMPLE_MASK off again. */
 void ew_gl_set_draw_state(const ew_gl *gl, ew_gl_state *state, const ew_gl_draw_state *draw);
 
 /* Changes what is set, for passes to other targets. */
@@ -90,7 +91,8 @@ void ew_gl_begin_grid(const ew_gl *gl, ew_gl_state *state);
 /* Confines drawing to a viewport of the target, and to the host's scissor again. */
 void ew_gl_clip_to(const ew_gl *gl, const ew_gl_state *state, const ew_viewport *viewport);
 
-/* Restores the host's objects. The effect's framebuffer must still be bound for drawing. */
+/* Restores the host's objects, its scissor, and the samplers that state names. The effect's framebuffer must still be bound for
+ * drawing. */
 void ew_gl_restore_objects(const ew_gl *gl, const ew_gl_state *state);
 
 /* Restores the saved state, objects included. */

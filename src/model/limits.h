@@ -11,6 +11,7 @@
 #define EW_MIN_BETA 1e-6
 #define EW_MAX_BETA 1e6
 #define EW_MAX_INTERVAL_RATIO 1e12
+#define EW_MAX_VIEW_DEVIATION 1e-3 /* of R^T R from 1 */
 #define EW_MAX_WINDOW_DEPTH 1e15
 #define EW_MAX_CORE_PIXELS 64.0
 #define EW_MAX_EXPOSURE 1e6

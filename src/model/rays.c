@@ -5,6 +5,8 @@
 #include "model/limits.h"
 #include "model/vector.h"
 
+#include <float.h>
+
 ew_result ew_check_interval(const ew_interval *interval, const ew_view *view, ew_error *error)
 {
     double start = interval->start, end = interval->end;
@@ -83,7 +85,20 @@ void ew_pack_rays(const ew_view *view, const ew_interval *interval, double unit,
     block->depth_end = pack_window_depth(view, viewport, interval->end);
     double w_start = ew_is_parallel(view) ? 1 : interval->start / interval->end;
     double sign = ew_window_depth_at(view, 0, 0, interval->start) < ew_window_depth_at(view, 0, 0, interval->end) ? 1 : -1;
-    block->depth_scale = (ew_vec4){(float)(sign * w_start), (float)sign, 0, 0};
+    block->depth_scale = (ew_vec4){(float)(sign * w_start), (float)sign, sign > 0 ? 1 : 0, 0};
+}
+
+static ew_vec4 pack_view_depth(double depth)
+{
+    float rounded = (float)depth;
+    return (ew_vec4){rounded, (float)(depth - (double)rounded), 0, 0};
+}
+
+void ew_pack_linear_depth(const ew_interval *interval, struct ew_frame_block *block)
+{
+    block->depth_start = pack_view_depth(interval->start);
+    block->depth_end = pack_view_depth(interval->end);
+    block->depth_scale = (ew_vec4){1, 1, FLT_MAX, 0};
 }
 
 double ew_pixel_height(const ew_view *view, const ew_viewport *viewport)

@@ -26,6 +26,9 @@ typedef struct ew_viewport {
 void ew_pack_rays(const ew_view *view, const ew_interval *interval, double unit, const ew_viewport *viewport,
                   struct ew_frame_block *block);
 
+/* Fills those members of `block` that say where a ray ends for depths that are view depths, not window depths. */
+void ew_pack_linear_depth(const ew_interval *interval, struct ew_frame_block *block);
+
 /* The height of a pixel per unit of view depth; of a parallel projection, in world units. */
 double ew_pixel_height(const ew_view *view, const ew_viewport *viewport);
 

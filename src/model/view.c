@@ -2,23 +2,77 @@
 #include "model/view.h"
 
 #include "base/error.h"
+#include "model/limits.h"
 #include "model/vector.h"
+
+#include <string.h>
 
 ew_view ew_view_of(const ew_frame_desc *frame)
 {
     return (ew_view){frame->view, frame->projection, frame->clip_depth};
 }
 
+/* The largest entry of R^T R - 1, where R is the view's turn. */
+static double deviation(const double view[16])
+{
+    double largest = 0;
+    for (int i = 0; i < 3; ++i)
+        for (int j = 0; j <= i; ++j)
+            largest = fmax(largest, fabs(ew_dot(&view[4 * i], &view[4 * j]) - (i == j)));
+    return largest;
+}
+
 static bool is_rigid(const double view[16])
 {
-    /* Loose enough for a host that keeps its matrices in floats. */
-    const double tolerance = 1e-4;
-    for (int i = 0; i < 3; ++i) {
-        if (ew_element(view, 3, i) != 0) return false;
-        for (int j = 0; j <= i; ++j)
-            if (!(fabs(ew_dot(&view[4 * i], &view[4 * j]) - (i == j)) <= tolerance)) return false;
-    }
-    return ew_element(view, 3, 3) == 1;
+    const double last_row_tolerance = 1e-6;
+    for (int i = 0; i < 4; ++i)
+        if (!(fabs(ew_element(view, 3, i) - (i == 3)) <= last_row_tolerance)) return false;
+    return deviation(view) <= EW_MAX_VIEW_DEVIATION;
+}
+
+/* One step R <- R (3 - R^T R) / 2 of Newton's and Schulz's iteration for the rotation next to R. It squares the deviation,
+ * about. */
+static void approach_rotation(double view[16])
+{
+    double before[16];
+    memcpy(before, view, sizeof before);
+    for (int column = 0; column < 3; ++column)
+        for (int row = 0; row < 3; ++row) {
+            double product = 0;
+            for (int k = 0; k < 3; ++k)
+                product += before[4 * k + row] * ew_dot(&before[4 * k], &before[4 * column]);
+            view[4 * column + row] = 1.5 * before[4 * column + row] - 0.5 * product;
+        }
+}
+
+/* Where the eye is, which is -R^-1 t. */
+static void eye_of(const double view[16], double eye[3])
+{
+    const double *x = &view[0], *y = &view[4], *z = &view[8], *t = &view[12];
+    double yz[3], zx[3], xy[3];
+    ew_cross(y, z, yz);
+    ew_cross(z, x, zx);
+    ew_cross(x, y, xy);
+    double determinant = ew_dot(x, yz);
+    eye[0] = -ew_dot(yz, t) / determinant;
+    eye[1] = -ew_dot(zx, t) / determinant;
+    eye[2] = -ew_dot(xy, t) / determinant;
+}
+
+void ew_settle_view(const double view[16], double settled[16])
+{
+    const double rounding = 1e-13;
+    memcpy(settled, view, 16 * sizeof *settled);
+    if (!ew_all_finite(view, 16) || !is_rigid(view)) return;
+    for (int i = 0; i < 4; ++i)
+        settled[4 * i + 3] = i == 3;
+    if (deviation(view) <= rounding) return;
+    double eye[3];
+    eye_of(view, eye);
+    for (int step = 0; step < 4; ++step)
+        approach_rotation(settled);
+    for (int row = 0; row < 3; ++row)
+        settled[12 + row] = -(settled[row] * eye[0] + settled[4 + row] * eye[1] + settled[8 + row] * eye[2]);
 }
 
 bool ew_is_parallel(const ew_view *view)
@@ -44,7 +98,8 @@ static ew_result check_projection(const ew_view *view, ew_error *error)
 ew_result ew_check_view(const ew_view *view, ew_error *error)
 {
     if (!ew_all_finite(view->view, 16) || !is_rigid(view->view))
-        return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "view must be finite, a rotation and a translation");
+        return ew_fail(error, EW_ERROR_INVALID_ARGUMENT,
+                       "view must be finite, a rotation and a translation: R^T R may differ by at most 1e-3 from 1");
     if ((unsigned)view->clip_depth > EW_CLIP_DEPTH_ZERO_TO_ONE)
         return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "clip_depth must be one of ew_clip_depth");
     return check_projection(view, error);

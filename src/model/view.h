@@ -17,6 +17,10 @@ ew_view ew_view_of(const ew_frame_desc *frame);
 /* Checks the matrices and clip_depth. */
 ew_result ew_check_view(const ew_view *view, ew_error *error);
 
+/* The rigid view next to a view that ew_check_view takes, with the same eye: rounding in floats makes views drift. Any other
+ * view is copied, as is one that is rigid but for rounding in doubles. */
+void ew_settle_view(const double view[16], double settled[16]);
+
 bool ew_is_parallel(const ew_view *view);
 
 /* Where the ray through NDC (x, y) is at view depth `depth`, in view space. */

@@ -69,6 +69,15 @@ static ew_result check_look(const ew_frame_desc *frame, ew_error *error)
     return EW_OK;
 }
 
+ew_frame_desc ew_settle_frame(const ew_frame_desc *frame, bool is_upside_down)
+{
+    ew_frame_desc settled = *frame;
+    ew_settle_view(frame->view, settled.view);
+    for (int column = 0; column < 4 && is_upside_down; ++column)
+        settled.projection[4 * column + 1] = -settled.projection[4 * column + 1];
+    return settled;
+}
+
 ew_result ew_check_integral(const ew_frame_desc *frame, ew_error *error)
 {
     if (!frame) return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "frame must not be NULL");
@@ -87,10 +96,11 @@ ew_result ew_check_target(const ew_frame_desc *frame, ew_error *error)
         return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "viewport_width and viewport_height must be > 0");
     const choice choices[] = {
         {(int)frame->output, EW_OUTPUT_EVALUATIONS, "output must be one of ew_output"},
-        {(int)frame->encoding, EW_ENCODING_FLOAT, "encoding must be one of ew_encoding"},
-        {(int)frame->depth_source, EW_DEPTH_FRAMEBUFFER, "depth_source must be one of ew_depth_source"},
+        {(int)frame->encoding, EW_ENCODING_FLOAT_11BIT, "encoding must be one of ew_encoding"},
+        {(int)frame->depth_source, EW_DEPTH_TEXTURE_LINEAR, "depth_source must be one of ew_depth_source"},
         {(int)frame->resolution, EW_RESOLUTION_ADAPTIVE, "resolution must be one of ew_resolution"},
         {frame->dither, 1, "dither must be 0 or 1"},
+        {frame->keep_stencil_test, 1, "keep_stencil_test must be 0 or 1"},
         {frame->skip_restore, 1, "skip_restore must be 0 or 1"},
     };
     return check_choices(choices, sizeof choices / sizeof choices[0], error);

@@ -34,6 +34,19 @@ static double core_growth_of(const ew_frame_desc *frame)
     return 0.5 * ew_core_pixels_of(frame) * ew_pixel_height(&view, &viewport);
 }
 
+/* Fills the steps between the values that the target stores: see ew_target_step. R11F_G11F_B10F has 6 bits behind a float's
+ * leading one. */
+static void pack_target_steps(ew_encoding encoding, struct ew_frame_block *block)
+{
+    static const struct {
+        float fixed, relative;
+    } steps[] = {[EW_ENCODING_LINEAR_8BIT] = {1.0f / 255, 0},
+                 [EW_ENCODING_LINEAR_10BIT] = {1.0f / 1023, 0},
+                 [EW_ENCODING_FLOAT_11BIT] = {0, 1.0f / 64}};
+    block->pixel_center.z = steps[encoding].fixed;
+    block->pixel_center.w = steps[encoding].relative;
+}
+
 /* Fills what depends on the viewport: the rays of its pixels, and how wide cores are at the least. */
 static void pack_viewport(ew_plan *plan, const ew_frame_desc *frame, const ew_interval *interval, double unit)
 {
@@ -41,6 +54,7 @@ static void pack_viewport(ew_plan *plan, const ew_frame_desc *frame, const ew_in
     const ew_viewport viewport = viewport_of(frame);
     struct ew_frame_block *block = &plan->uniforms.frame;
     ew_pack_rays(&view, interval, unit, &viewport, block);
+    if (frame->depth_source == EW_DEPTH_TEXTURE_LINEAR) ew_pack_linear_depth(interval, block);
     double growth = core_growth_of(frame);
     block->core_floor.x = ew_is_parallel(&view) ? 0 : (float)(growth * growth);
     plan->uniforms.grid.viewport = (ew_ivec4){viewport.x, viewport.y, viewport.width, viewport.height};
@@ -147,8 +161,10 @@ ew_result ew_plan_frame(ew_plan *plan, ew_sources *sources, const ew_mix *mix, c
     const ew_viewport viewport = viewport_of(frame);
     const ew_mix current = ew_sources_mix(sources);
     pack_viewport(plan, frame, &interval, unit_of(frame, sources, &interval));
+    pack_target_steps(frame->encoding, &plan->uniforms.frame);
     plan->permutation = ew_permutation_of(mix ? mix : &current, frame);
-    plan->target = (ew_target){frame->framebuffer, viewport, blend_of(frame->output), frame->encoding == EW_ENCODING_SRGB_8BIT};
+    plan->target = (ew_target){frame->framebuffer, viewport, blend_of(frame->output), frame->encoding == EW_ENCODING_SRGB_8BIT,
+                               frame->keep_stencil_test};
     plan->depth = (ew_depth_request){frame->depth_source, frame->depth_texture};
     plan->is_adaptive = is_adaptive(frame);
     plan->skips_restore = frame->skip_restore;

@@ -22,6 +22,7 @@ typedef struct ew_target {
     ew_viewport viewport;
     ew_blend blend;
     bool encodes_srgb;
+    bool keeps_stencil_test; /* the host's */
 } ew_target;
 
 /* Where the opaque scene's depth comes from. */

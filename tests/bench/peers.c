@@ -108,7 +108,8 @@ void peers_destroy(bench_peers *peers)
         for (int output = 0; output < 2; output++)
             gl->DeleteProgram(peers->programs[family][output].name);
     gl->DeleteVertexArrays(1, &peers->vertex_array);
-    ew_device_destroy(&peers->device, &ew_default_allocator);
+    ew_device_destroy(&peers->device);
+    ew_device_abandon(&peers->device, &ew_default_allocator);
     ew_sources_destroy(&peers->sources, &ew_default_allocator);
     free(peers);
 }

@@ -27,6 +27,9 @@ refuses '--fps: must be a number from 1 to 240' --offscreen --fps 0 -o %d.png
 refuses '--offscreen: no output is requested' --offscreen
 refuses 'add --offscreen' -o frame%d.png
 refuses 'add --offscreen' --video demo.mp4
+refuses '--frames: is only for pictures; add --offscreen' --frames 3
+refuses '--frames: is only for pictures; add --offscreen' --frames 0-299
+refuses '--backend: is only for pictures; add --offscreen' --backend osmesa
 refuses 'let it end in .png' --offscreen -o frame%d.jpg
 refuses 'needs one place for the frame' --offscreen -o frame.png
 refuses 'needs one place for the frame' --offscreen -o frame%s.png

@@ -34,12 +34,18 @@ for frame in 018 021 023; do
 done
 [ "$(cksum whole/*.png | cut -d ' ' -f 1 | sort -u | wc -l)" -eq 6 ] || complain 'not every frame is a new one'
 
+# Edges are smooth unless that is unwanted.
+draws --fps 4 --frames 18 --samples 1 -o rough.png
+draws --fps 4 --frames 18 --samples 2 -o smooth.png
+cmp -s rough.png whole/018.png && complain 'the demo is not antialiased'
+cmp -s smooth.png whole/018.png || complain 'the demo is antialiased otherwise than by --samples 2'
+
 draws --fps 4 --frames 0 -o start.png
 draws --fps 4 --frames 40 -o end.png
 cmp -s start.png end.png || complain 'the animation jumps where it starts again'
 
 # The picture of a scene file is ew-render's, except for rounding to 16-bit floats and to the display's encoding.
-draws "$scenes/showpiece.json" --frames 0 -o scene.png
+draws "$scenes/showpiece.json" --frames 0 --samples 1 -o scene.png
 "$ew_render" "$scenes/showpiece.json" --size 96x54 -o expected.png > /dev/null || complain 'ew-render fails'
 if command -v compare > /dev/null; then
     differing=$(compare -metric AE -fuzz 0.5% scene.png expected.png null: 2>&1)

@@ -88,6 +88,14 @@ import -window "$id" error.png
 # The message lies over the lower left corner of the last good picture.
 convert error.png -crop 192x60+0+0 +repage error-top.png && convert left.png -crop 192x60+0+0 +repage left-top.png
 [ "$(compare -metric AE error-top.png left-top.png null: 2>&1)" = 0 ] || complain 'a bad file spoils the last good picture'
+# A message that is wider than the window goes on in further lines, instead of being cut off at its edge.
+printf '{ "%s": 3 }' "a_key_$(printf 'that_no_scene_has_and_%.0s' 1 2 3 4 5)" > scene.json
+lines() {
+    import -window "$id" error.png && convert error.png -crop 192x20+0+50 +repage error-middle.png &&
+        convert left.png -crop 192x20+0+50 +repage left-middle.png &&
+        [ "$(compare -metric AE error-middle.png left-middle.png null: 2>&1)" -gt 0 ]
+}
+waits 'a long message has several lines' lines
 scene 1
 # The notice of the reload lies over the picture for 4 seconds.
 waits 'the window shows the new scene' shows right.png

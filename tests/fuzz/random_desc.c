@@ -150,6 +150,7 @@ bool random_desc_make(random_desc *desc, const shader_mix *mix, bool extreme, in
     frame->output = mix->output;
     frame->encoding = mix->encoding;
     frame->dither = mix->dither;
+    frame->keep_stencil_test = random_chance(random, 0.2);
     frame->skip_restore = random_chance(random, 0.2);
     frame->viewport_width = width;
     frame->viewport_height = height;

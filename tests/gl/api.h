@@ -45,6 +45,8 @@
     X(PFNGLENABLEIPROC, Enablei, 32, "OES")                                                                                    \
     X(PFNGLENDTRANSFORMFEEDBACKPROC, EndTransformFeedback, 0, "")                                                              \
     X(PFNGLFRAMEBUFFERRENDERBUFFERPROC, FramebufferRenderbuffer, 0, "")                                                        \
+    X(PFNGLFRAMEBUFFERTEXTUREPROC, FramebufferTexture, 32, "OES")                                                              \
+    X(PFNGLFRAMEBUFFERTEXTURELAYERPROC, FramebufferTextureLayer, 0, "")                                                        \
     X(PFNGLFRONTFACEPROC, FrontFace, 0, "")                                                                                    \
     X(PFNGLGENPROGRAMPIPELINESPROC, GenProgramPipelines, 31, "EXT")                                                            \
     X(PFNGLGENRENDERBUFFERSPROC, GenRenderbuffers, 0, "")                                                                      \
@@ -92,6 +94,7 @@
     X(PFNGLSTENCILMASKSEPARATEPROC, StencilMaskSeparate, 0, "")                                                                \
     X(PFNGLSTENCILOPSEPARATEPROC, StencilOpSeparate, 0, "")                                                                    \
     X(PFNGLTEXIMAGE2DMULTISAMPLEPROC, TexImage2DMultisample, 0, "")                                                            \
+    X(PFNGLTEXIMAGE3DPROC, TexImage3D, 0, "")                                                                                  \
     X(PFNGLTEXSTORAGE2DMULTISAMPLEPROC, TexStorage2DMultisample, 0, "")                                                        \
     X(PFNGLTRANSFORMFEEDBACKVARYINGSPROC, TransformFeedbackVaryings, 0, "")                                                    \
     X(PFNGLUNIFORM4FPROC, Uniform4f, 0, "")                                                                                    \

@@ -274,6 +274,66 @@ static double largest_difference(picture a, picture b)
     return largest;
 }
 
+/* The projection's depths may be anything then: a logarithmic buffer's, say. */
+static void linear_view_depth_has_the_luminance_of_the_reference(void **unused)
+{
+    (void)unused;
+    static const glow_lens lenses[] = {{.left = -0.55, .right = 0.25, .bottom = -0.2, .top = 0.4},
+                                       {.parallel = true, .left = -2.4, .right = 2.4, .bottom = -1.8, .top = 1.8}};
+    static double truth[HEIGHT][WIDTH];
+    static picture found;
+    static depths values;
+    for (int i = 0; i < 2; i++) {
+        ew_frame_desc frame = glow_frame(0);
+        glow_projection(&lenses[i], -1.02, -1.01, frame.projection);
+        double brightest = compute_truth(&lenses[i], &frame, truth);
+        for (int pixel = 0; pixel < WIDTH * HEIGHT; pixel++)
+            values[pixel / WIDTH][pixel % WIDTH] = (GLfloat)scene_depth(&lenses[i], pixel % WIDTH, pixel / WIDTH);
+        frame.depth_source = EW_DEPTH_TEXTURE_LINEAR;
+        frame.depth_texture = make_depth_texture(GL_R32F, values);
+        measure(&frame, found);
+        gl.DeleteTextures(1, &frame.depth_texture);
+        for (int pixel = 0; pixel < WIDTH * HEIGHT; pixel++) {
+            double expected = truth[pixel / WIDTH][pixel % WIDTH], light = (double)found[pixel / WIDTH][pixel % WIDTH][0];
+            assert_true(fabs(light - expected) <= 1e-3 * fmax(expected, 1e-3 * brightest));
+        }
+    }
+}
+
+/* In the world integral, light goes on beyond the far plane. */
+static void linear_view_depth_is_open_where_it_is_infinite(void **unused)
+{
+    (void)unused;
+    static const ew_point orb = {.position = {0.2, 0.1, 0}, .brightness = 1, .core = 0.2, .reach = 3};
+    static const float linear[] = {INFINITY, 1e30f, 6, 5.5f, 0, -1, -INFINITY, NAN};
+    enum { COUNT = sizeof linear / sizeof linear[0] };
+    static depths values;
+    static picture open, expected, found;
+    assert_int_equal(ew_set_sources(effect, &(ew_sources_desc){.points = &orb, .point_count = 1}, NULL), EW_OK);
+    ew_frame_desc frame = glow_frame(0);
+    frame.interval_start = frame.interval_end = 0;
+    measure(&frame, open);
+    for (int i = 0; i < WIDTH * HEIGHT; i++) {
+        double depth = (double)linear[i % COUNT];
+        bool is_surface = depth > 0 && depth < 1e3;
+        double window = is_surface ? window_depth(&frame, &glow_default_lens, 0, 0, depth) : depth > 0;
+        values[i / WIDTH][i % WIDTH] = (GLfloat)window;
+    }
+    frame.depth_texture = make_depth_texture(GL_DEPTH_COMPONENT32F, values);
+    measure(&frame, expected);
+    gl.DeleteTextures(1, &frame.depth_texture);
+    for (int i = 0; i < WIDTH * HEIGHT; i++)
+        values[i / WIDTH][i % WIDTH] = linear[i % COUNT];
+    frame.depth_source = EW_DEPTH_TEXTURE_LINEAR;
+    frame.depth_texture = make_depth_texture(GL_R32F, values);
+    measure(&frame, found);
+    gl.DeleteTextures(1, &frame.depth_texture);
+    for (int i = 0; i < WIDTH * HEIGHT; i++)
+        if (i % COUNT < 2) assert_true(found[i / WIDTH][i % WIDTH][0] == open[i / WIDTH][i % WIDTH][0]);
+    assert_true(largest_difference(expected, found) <= 1e-4);
+    assert_int_equal(ew_set_sources(effect, &glow_sources, NULL), EW_OK);
+}
+
 /* The depths as a fixed-point format keeps them. */
 static void quantize(depths values, int bits, depths kept)
 {
@@ -919,6 +979,110 @@ static void depth_that_cannot_be_read_is_refused_by_name(void **unused)
     assert_int_equal(gl.GetError(), GL_NO_ERROR);
 }
 
+static GLuint make_texture(GLenum format, GLenum layout, GLenum type, int width, int height)
+{
+    GLuint texture;
+    gl.GenTextures(1, &texture);
+    gl.BindTexture(GL_TEXTURE_2D, texture);
+    if (width > 0) gl.TexImage2D(GL_TEXTURE_2D, 0, (GLint)format, width, height, 0, layout, type, NULL);
+    gl.BindTexture(GL_TEXTURE_2D, 0);
+    return texture;
+}
+
+/* OpenGL ES 3.0 cannot be asked for a texture's format and size. */
+static bool has_texture_queries(void)
+{
+    return api_has(33, 31, NULL);
+}
+
+static void a_texture_that_is_no_depth_is_refused(void **unused)
+{
+    (void)unused;
+    static const struct {
+        ew_depth_source source;
+        GLenum format, layout, type;
+        int width;
+        const char *reason;
+    } cases[] = {
+        {EW_DEPTH_TEXTURE, GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, WIDTH, "depth format"},
+        {EW_DEPTH_TEXTURE, GL_R8UI, GL_RED_INTEGER, GL_UNSIGNED_BYTE, WIDTH, "depth format"},
+        {EW_DEPTH_TEXTURE, GL_DEPTH_COMPONENT16, GL_DEPTH_COMPONENT, GL_UNSIGNED_SHORT, 0, "storage"},
+        {EW_DEPTH_TEXTURE_LINEAR, GL_DEPTH_COMPONENT16, GL_DEPTH_COMPONENT, GL_UNSIGNED_SHORT, WIDTH, "float format"},
+        {EW_DEPTH_TEXTURE_LINEAR, GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, WIDTH, "float format"},
+    };
+    if (!has_texture_queries()) return;
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        ew_frame_desc frame = glow_frame(target.framebuffer);
+        frame.depth_source = cases[i].source;
+        frame.depth_texture = make_texture(cases[i].format, cases[i].layout, cases[i].type, cases[i].width, HEIGHT);
+        glow_refuse(effect, &frame, EW_ERROR_INVALID_ARGUMENT, cases[i].reason);
+        gl.DeleteTextures(1, &frame.depth_texture);
+    }
+}
+
+static void linear_depth_that_is_drawn_to_is_refused(void **unused)
+{
+    (void)unused;
+    const GLuint color = make_float_texture(), linear = make_float_texture();
+    ew_frame_desc frame = glow_frame(make_framebuffer(GL_TEXTURE_2D, color, 0));
+    frame.depth_source = EW_DEPTH_TEXTURE_LINEAR;
+    frame.depth_texture = linear;
+    glow_draw(effect, &frame);
+    gl.BindFramebuffer(GL_FRAMEBUFFER, frame.framebuffer);
+    gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0 + 1, GL_TEXTURE_2D, linear, 0);
+    glow_refuse(effect, &frame, EW_ERROR_INVALID_ARGUMENT, "attached");
+    gl.DeleteFramebuffers(1, &frame.framebuffer);
+    gl.DeleteTextures(2, (const GLuint[]){color, linear});
+}
+
+/* Of the target as a renderbuffer, a texture and the window, GL tells the size of the first two, the second not everywhere. */
+static void a_depth_texture_smaller_than_what_is_drawn_is_refused(void **unused)
+{
+    (void)unused;
+    if (!has_texture_queries()) return;
+    ew_frame_desc frame = glow_frame(target.framebuffer);
+    frame.depth_texture = make_texture(GL_DEPTH_COMPONENT24, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, WIDTH, HEIGHT / 2);
+    glow_refuse(effect, &frame, EW_ERROR_INVALID_ARGUMENT, "depth_texture");
+    frame.viewport_height = HEIGHT / 2;
+    glow_draw(effect, &frame);
+    frame.viewport_y = 1;
+    glow_refuse(effect, &frame, EW_ERROR_INVALID_ARGUMENT, "depth_texture");
+    frame.viewport_y = 0;
+    frame.viewport_height = HEIGHT;
+    frame.framebuffer = 0;
+    glow_refuse(effect, &frame, EW_ERROR_INVALID_ARGUMENT, "depth_texture");
+    if (api_has(45, NEVER, "GL_ARB_direct_state_access")) {
+        const GLuint color = make_float_texture();
+        frame.framebuffer = make_framebuffer(GL_TEXTURE_2D, color, 0);
+        glow_refuse(effect, &frame, EW_ERROR_INVALID_ARGUMENT, "depth_texture");
+        gl.DeleteFramebuffers(1, &frame.framebuffer);
+        gl.DeleteTextures(1, &color);
+    }
+    gl.DeleteTextures(1, &frame.depth_texture);
+}
+
+/* A tile of a poster: the viewport is the whole poster, moved. */
+static void a_viewport_larger_than_the_target_needs_no_more_depth_than_that(void **unused)
+{
+    (void)unused;
+    ew_frame_desc frame = glow_frame(target.framebuffer);
+    frame.depth_texture = make_texture(GL_DEPTH_COMPONENT24, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, WIDTH, HEIGHT);
+    frame.viewport_width = 4 * WIDTH;
+    frame.viewport_height = 4 * HEIGHT;
+    for (int tile = 0; tile < 4; tile++) {
+        frame.viewport_x = -tile * WIDTH;
+        frame.viewport_y = -tile * HEIGHT;
+        glow_draw(effect, &frame);
+    }
+    const GLuint color = make_float_texture();
+    frame.framebuffer = make_framebuffer(GL_TEXTURE_2D, color, 0);
+    frame.viewport_x = frame.viewport_y = 0;
+    glow_draw(effect, &frame);
+    gl.DeleteFramebuffers(1, &frame.framebuffer);
+    gl.DeleteTextures(1, &color);
+    gl.DeleteTextures(1, &frame.depth_texture);
+}
+
 int main(int argc, char **argv)
 {
     context_desc desc;
@@ -933,6 +1097,8 @@ int main(int argc, char **argv)
 
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_projection_has_the_luminance_of_the_reference),
+        cmocka_unit_test(linear_view_depth_has_the_luminance_of_the_reference),
+        cmocka_unit_test(linear_view_depth_is_open_where_it_is_infinite),
         cmocka_unit_test(every_format_of_a_depth_texture_is_read),
         cmocka_unit_test(depths_that_no_scene_has_leave_a_picture_of_numbers),
         cmocka_unit_test(what_the_host_set_on_its_texture_does_not_matter_and_stays),
@@ -945,6 +1111,10 @@ int main(int argc, char **argv)
         cmocka_unit_test(a_resolved_picture_is_the_mean_of_its_samples_pictures),
         cmocka_unit_test(multisampled_depth_on_other_targets_is_the_mean_over_the_samples),
         cmocka_unit_test(depth_that_cannot_be_read_is_refused_by_name),
+        cmocka_unit_test(a_texture_that_is_no_depth_is_refused),
+        cmocka_unit_test(linear_depth_that_is_drawn_to_is_refused),
+        cmocka_unit_test(a_depth_texture_smaller_than_what_is_drawn_is_refused),
+        cmocka_unit_test(a_viewport_larger_than_the_target_needs_no_more_depth_than_that),
         cmocka_unit_test(gl_has_nothing_to_say),
     };
     int failed = cmocka_run_group_tests_name(argv[1], tests, NULL, NULL);

@@ -50,6 +50,7 @@ ew_frame_desc make_frame(GLuint framebuffer, ew_output output)
     frame.interval_end = 10;
     frame.output = output;
     frame.framebuffer = framebuffer;
+    frame.encoding = EW_ENCODING_FLOAT;
     frame.viewport_width = PICTURE_WIDTH;
     frame.viewport_height = PICTURE_HEIGHT;
     return frame;

@@ -47,6 +47,9 @@ static void fake_get_integer(GLenum name, GLint *value)
     case GL_MAX_FRAGMENT_INPUT_COMPONENTS:
         *value = 60;
         return;
+    case GL_MAX_VIEWPORT_DIMS:
+        value[0] = value[1] = 16384;
+        return;
     case GL_MAX_CLIP_DISTANCES:
     case GL_MAX_DRAW_BUFFERS:
         *value = 8;
@@ -289,6 +292,24 @@ static void capabilities_are_asked_for_only_where_they_are_known(void **state)
     assert_true(is_unwanted(GL_SAMPLE_SHADING));
 }
 
+/* Browsers list extensions that are not switched on, and a query of such a one is an error. */
+static void a_clip_origin_is_asked_for_only_where_it_can_be_set(void **state)
+{
+    (void)state;
+    fake = (struct fake_context){.version = "OpenGL ES 3.0"};
+    assert_int_equal(load(), EW_OK);
+    assert_false(gl.clip_control);
+    fake = (struct fake_context){.version = "OpenGL ES 3.0", .extensions = {"GL_EXT_clip_control"}};
+    assert_int_equal(load(), EW_OK);
+    assert_true(gl.clip_control);
+    fake.absent[0] = "glClipControlEXT";
+    assert_int_equal(load(), EW_OK);
+    assert_false(gl.clip_control);
+    fake = (struct fake_context){.version = "4.5", .profile = GL_CONTEXT_CORE_PROFILE_BIT};
+    assert_int_equal(load(), EW_OK);
+    assert_true(gl.clip_control);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -302,6 +323,7 @@ int main(void)
         cmocka_unit_test(functions_that_the_version_promises_are_needed),
         cmocka_unit_test(optional_functions_come_with_versions_and_extensions_only),
         cmocka_unit_test(capabilities_are_asked_for_only_where_they_are_known),
+        cmocka_unit_test(a_clip_origin_is_asked_for_only_where_it_can_be_set),
     };
     return cmocka_run_group_tests_name("gl load", tests, NULL, NULL);
 }

@@ -55,7 +55,9 @@ ew_frame_desc glow_frame(unsigned framebuffer)
     glow_projection(&glow_default_lens, -1.02, -1.01, frame.projection);
     frame.interval_start = 3;
     frame.interval_end = 10;
+    frame.output = EW_OUTPUT_LERP;
     frame.framebuffer = framebuffer;
+    frame.dither = 0;
     frame.viewport_width = GLOW_WIDTH;
     frame.viewport_height = GLOW_HEIGHT;
     return frame;

@@ -260,6 +260,33 @@ static void a_thousand_lives_leave_no_object_and_no_byte(void **state)
     assert_int_equal(gl.GetError(), GL_NO_ERROR);
 }
 
+/* A lost context has taken the effect's objects with it, and their names may be other objects' by now. */
+static void an_abandoned_effect_leaves_no_byte_and_touches_no_object(void **state)
+{
+    (void)state;
+    watched_gl_start(&watched, context);
+    ration given = {.refused = -1};
+    ew_effect *effect = NULL;
+    assert_int_equal(create_effect(&given, &effect, NULL), EW_OK);
+    field f;
+    const char *text;
+    ew_frame_desc frame = make_frame(target, EW_OUTPUT_ADD);
+    make_field(&f, 2, 1, 0, 1, true);
+    assert_int_equal(ew_set_sources(effect, &f.desc, NULL), EW_OK);
+    frame.depth_source = EW_DEPTH_FRAMEBUFFER;
+    assert_int_equal(ew_draw(effect, &frame, NULL), EW_OK);
+    assert_int_equal(ew_get_shader_text(effect, NULL, &frame, &text, NULL), EW_OK);
+    const int objects = watched.objects;
+    assert_true(objects > 0);
+    context_make_current(NULL);
+    ew_abandon_effect(effect);
+    ew_abandon_effect(NULL);
+    context_make_current(context);
+    assert_int_equal(watched.objects, objects);
+    assert_int_equal(given.live, 0);
+    assert_int_equal(given.live_bytes, 0);
+}
+
 static void add_depth(GLuint framebuffer)
 {
     GLuint depth;
@@ -284,6 +311,7 @@ int main(int argc, char **argv)
         cmocka_unit_test(an_effect_that_is_refused_leaves_nothing),
         cmocka_unit_test(an_allocator_needs_both_functions),
         cmocka_unit_test(a_thousand_lives_leave_no_object_and_no_byte),
+        cmocka_unit_test(an_abandoned_effect_leaves_no_byte_and_touches_no_object),
         cmocka_unit_test(gl_has_nothing_to_say),
     };
     int failed = cmocka_run_group_tests_name(argv[1], tests, NULL, NULL);

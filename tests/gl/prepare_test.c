@@ -221,6 +221,9 @@ static void a_shader_with_reaches_draws_sources_without(void **state)
     ew_destroy_effect(plain);
 }
 
+/* The calls that hand a shader to the driver. */
+enum { COMPILE_AND_LINK = 2 };
+
 /* With a driver that compiles on other threads, played by the loader. */
 static void nothing_waits_for_a_compiler_that_is_at_work(void **state)
 {
@@ -232,16 +235,17 @@ static void nothing_waits_for_a_compiler_that_is_at_work(void **state)
     picture drawn, expected;
     ew_frame_desc frame = make_frame(target, EW_OUTPUT_ADD);
     const ew_mix general = {.point_count = EW_ANY_COUNT};
-    for (int i = 0; i < 3; i++)
+    for (int i = 0; i < COMPILE_AND_LINK + watched.completion_delay; i++)
         assert_false(prepare(effect, &general, &frame));
     assert_true(prepare(effect, &general, &frame));
 
     /* While the shader for two points is under way, the general one draws. */
     set_field(effect, &f, 2, 0, 0, 0, false);
-    assert_false(prepare(effect, NULL, &frame));
+    for (int i = 0; i < COMPILE_AND_LINK; i++)
+        assert_false(prepare(effect, NULL, &frame));
     draw(effect, &frame, &expected);
-    assert_false(prepare(effect, NULL, &frame));
-    assert_false(prepare(effect, NULL, &frame));
+    for (int i = 0; i < watched.completion_delay; i++)
+        assert_false(prepare(effect, NULL, &frame));
     assert_int_equal(watched.asked_too_early, 0);
     assert_true(prepare(effect, NULL, &frame));
     draw(effect, &frame, &drawn);
@@ -250,9 +254,32 @@ static void nothing_waits_for_a_compiler_that_is_at_work(void **state)
 
     /* A host that draws without having waited for anything that covers its sources does wait. */
     set_field(effect, &f, 0, 1, 0, 0, false);
-    assert_false(prepare(effect, NULL, &frame));
+    for (int i = 0; i < COMPILE_AND_LINK; i++)
+        assert_false(prepare(effect, NULL, &frame));
     draw(effect, &frame, &drawn);
     assert_true(watched.asked_too_early > 0);
+    ew_destroy_effect(effect);
+}
+
+/* A driver that compiles while it is called makes its caller wait; so a call does no more than one of these. */
+static void a_call_compiles_links_or_draws(void **state)
+{
+    (void)state;
+    watched_gl_start(&watched, context);
+    ew_effect *effect = create_effect();
+    ew_frame_desc frame = make_frame(target, EW_OUTPUT_ADD);
+    const ew_mix mix = {.torus_count = 2};
+    static const struct {
+        int compiled, linked, drawn;
+    } after[] = {{2, 0, 0}, {2, 1, 0}, {2, 1, 1}};
+    for (int i = 0; i < 3; i++) {
+        int steps_left = -1;
+        assert_int_equal(ew_prepare_step(effect, &mix, &frame, &steps_left, NULL), EW_OK);
+        assert_int_equal(steps_left, 2 - i);
+        assert_int_equal(watched.compiled, after[i].compiled);
+        assert_int_equal(watched.linked, after[i].linked);
+        assert_int_equal(watched.drawn, after[i].drawn);
+    }
     ew_destroy_effect(effect);
 }
 
@@ -263,10 +290,23 @@ static void an_effect_destroyed_while_it_compiles_loses_nothing(void **state)
     watched.completion_delay = 3;
     ew_effect *effect = create_effect();
     ew_frame_desc frame = make_frame(target, EW_OUTPUT_ADD);
-    assert_false(prepare(effect, &(ew_mix){.point_count = 1}, &frame));
+    for (int i = 0; i < COMPILE_AND_LINK; i++)
+        assert_false(prepare(effect, &(ew_mix){.point_count = 1}, &frame));
     assert_true(watched.objects > 0);
     ew_destroy_effect(effect);
     assert_int_equal(watched.objects, 0);
+}
+
+/* Until it is ready, or fails. */
+static ew_result prepare_to_the_end(ew_effect *effect, const ew_frame_desc *frame, int *is_ready, ew_error *error)
+{
+    ew_result result;
+    do {
+        int ready = 0;
+        result = ew_prepare(effect, NULL, frame, &ready, error);
+        if (ready) *is_ready = ready;
+    } while (result == EW_OK && *is_ready != 1);
+    return result;
 }
 
 /* The error says which shader, the effect is as before, and works as soon as the driver does. */
@@ -287,7 +327,7 @@ static void a_driver_that_refuses_a_shader_is_an_error(void **state)
             ew_error error = {.text = ""};
             int is_ready = -1;
             ew_result result =
-                attempt == 1 ? ew_draw(effect, &frame, &error) : ew_prepare(effect, NULL, &frame, &is_ready, &error);
+                attempt == 1 ? ew_draw(effect, &frame, &error) : prepare_to_the_end(effect, &frame, &is_ready, &error);
             assert_int_equal(result, EW_ERROR_SHADER);
             assert_int_equal(error.code, EW_ERROR_SHADER);
             assert_int_equal(is_ready, -1);
@@ -335,6 +375,7 @@ int main(int argc, char **argv)
         cmocka_unit_test(a_shader_that_lacks_something_is_not_used),
         cmocka_unit_test(a_shader_with_reaches_draws_sources_without),
         cmocka_unit_test(nothing_waits_for_a_compiler_that_is_at_work),
+        cmocka_unit_test(a_call_compiles_links_or_draws),
         cmocka_unit_test(an_effect_destroyed_while_it_compiles_loses_nothing),
         cmocka_unit_test(a_driver_that_refuses_a_shader_is_an_error),
         cmocka_unit_test(what_cannot_be_drawn_cannot_be_prepared),

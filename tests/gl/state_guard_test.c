@@ -522,6 +522,15 @@ static void choose_depth(ew_frame_desc *frame)
     if (frame->depth_source == EW_DEPTH_TEXTURE_MULTISAMPLE) frame->depth_texture = host_depth[MULTISAMPLED_DEPTH].name;
 }
 
+/* The scrambled host may draw upside down, which the effect follows; with this it draws what the clean one draws. */
+static void turn_back(ew_frame_desc *frame)
+{
+    GLint origin = GL_LOWER_LEFT;
+    if (api_has(45, NEVER, gl.es ? "GL_EXT_clip_control" : "GL_ARB_clip_control")) gl.GetIntegerv(GL_CLIP_ORIGIN, &origin);
+    for (int column = 0; column < 4 && origin == GL_UPPER_LEFT; column++)
+        frame->projection[4 * column + 1] *= -1;
+}
+
 static ew_frame_desc effect_frame(int context, const test_target *target)
 {
     static const ew_output outputs[TARGET_COUNT] = {EW_OUTPUT_LERP, EW_OUTPUT_LUMINANCE, EW_OUTPUT_ADD};
@@ -538,6 +547,7 @@ static ew_frame_desc effect_frame(int context, const test_target *target)
     frame.dither = 1;
     frame.resolution = current_seed % 2 ? EW_RESOLUTION_ADAPTIVE : EW_RESOLUTION_FULL;
     choose_depth(&frame);
+    turn_back(&frame);
     return frame;
 }
 
@@ -546,9 +556,9 @@ static void effect_draw(int context, const test_target *target)
 {
     const ew_frame_desc frame = effect_frame(context, target);
     ew_error error = {.text = ""};
-    int is_ready;
-    if (context == SCRAMBLED && ew_prepare(effects[context], NULL, &frame, &is_ready, &error) != EW_OK)
-        fail_msg("%s", error.text);
+    int is_ready = context != SCRAMBLED;
+    while (!is_ready)
+        if (ew_prepare(effects[context], NULL, &frame, &is_ready, &error) != EW_OK) fail_msg("%s", error.text);
     if (ew_draw(effects[context], &frame, &error) != EW_OK) fail_msg("%s", error.text);
 }
 

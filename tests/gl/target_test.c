@@ -199,6 +199,67 @@ static void dither_keeps_the_mean_of_faint_glow(void **unused)
     check_dither(EW_ENCODING_SRGB_8BIT, &srgb, 0.001);
 }
 
+/* By how much the means over blocks of 6 x 6 pixels go up and down, in the target's steps. Their own mean is left out: drivers
+ * may round small floats to the nearest, or down. */
+static double unevenness(const GLfloat exact[VALUES], const GLfloat found[VALUES], double fixed_step)
+{
+    enum { BLOCK = 6 };
+    double lowest = 1e30, highest = -1e30;
+    for (int y = 0; y < HEIGHT; y += BLOCK)
+        for (int x = 0; x < WIDTH; x += BLOCK)
+            for (int c = 0; c < 3; c++) {
+                double mean = 0;
+                for (int i = 0; i < BLOCK * BLOCK; i++) {
+                    int at = 4 * ((y + i / BLOCK) * WIDTH + x + i % BLOCK) + c, exponent;
+                    frexp((double)exact[at], &exponent);
+                    /* 6 bits behind the leading one, 5 for blue */
+                    double step = fixed_step > 0 ? fixed_step : ldexp(1, exponent - 1 - (c == 2 ? 5 : 6));
+                    mean += ((double)found[at] - (double)exact[at]) / step / (BLOCK * BLOCK);
+                }
+                lowest = fmin(lowest, mean);
+                highest = fmax(highest, mean);
+            }
+    return highest - lowest;
+}
+
+/* A glow that changes by a step every few pixels. */
+static void dither_smoothes_targets_of_10_and_11_bits(void **unused)
+{
+    (void)unused;
+    static GLfloat exact[VALUES], found[2][VALUES];
+    static const struct {
+        ew_encoding encoding;
+        GLenum format;
+        double distance, coefficient, fixed_step;
+    } cases[] = {{EW_ENCODING_LINEAR_10BIT, GL_RGB10_A2, 30, 1, 1.0 / 1023},
+                 {EW_ENCODING_FLOAT_11BIT, GL_R11F_G11F_B10F, 200, 150, 0}};
+    for (int i = 0; i < 2; i++) {
+        const ew_point far_away = {
+            .position = {cases[i].distance, 10, 0}, .coefficient = cases[i].coefficient, .color = {1, 0.8, 0.7}};
+        const ew_sources_desc sources = {.points = &far_away, .point_count = 1, .epsilon = 0.1};
+        assert_int_equal(ew_set_sources(effect, &sources, NULL), EW_OK);
+        canvas to = canvas_create(WIDTH, HEIGHT, cases[i].format, 0, 0);
+        ew_frame_desc frame = glow_frame(0);
+        frame.encoding = EW_ENCODING_FLOAT;
+        draw_over(&floats, black, &frame, exact);
+        frame.encoding = cases[i].encoding;
+        frame.framebuffer = to.framebuffer;
+        for (frame.dither = 0; frame.dither < 2; frame.dither++) {
+            canvas_clear(&to, black);
+            glow_draw(effect, &frame);
+            canvas_resolve(&to, &floats);
+            canvas_read(&floats, found[frame.dither]);
+        }
+        const double plainly = unevenness(exact, found[0], cases[i].fixed_step);
+        const double left = unevenness(exact, found[1], cases[i].fixed_step);
+        fprintf(stderr, "means of 6 pixels square are uneven by %.2f steps, dithered by %.2f\n", plainly, left);
+        assert_true(plainly > 0.6);
+        assert_true(left < plainly / 3);
+        canvas_destroy(&to);
+    }
+    assert_int_equal(ew_set_sources(effect, &glow_sources, NULL), EW_OK);
+}
+
 static void dither_leaves_pixels_without_light_alone(void **unused)
 {
     (void)unused;
@@ -270,6 +331,7 @@ int main(int argc, char **argv)
         cmocka_unit_test(color_and_alpha_follow_the_documented_rules),
         cmocka_unit_test(a_layer_laid_over_a_picture_is_as_if_drawn_there),
         cmocka_unit_test(dither_keeps_the_mean_of_faint_glow),
+        cmocka_unit_test(dither_smoothes_targets_of_10_and_11_bits),
         cmocka_unit_test(dither_leaves_pixels_without_light_alone),
         cmocka_unit_test(targets_of_all_sizes_take_turns),
         cmocka_unit_test(gl_has_nothing_to_say),

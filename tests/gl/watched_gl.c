@@ -87,8 +87,15 @@ static int delays[MAX_PROGRAMS];
 
 static void APIENTRY link_program(GLuint program)
 {
+    watched->linked++;
     if (program < MAX_PROGRAMS) delays[program] = watched->completion_delay;
     ((PFNGLLINKPROGRAMPROC)real("glLinkProgram"))(program);
+}
+
+static void APIENTRY draw_arrays(GLenum mode, GLint first, GLsizei count)
+{
+    watched->drawn++;
+    ((PFNGLDRAWARRAYSPROC)real("glDrawArrays"))(mode, first, count);
 }
 
 static void APIENTRY get_programiv(GLuint program, GLenum name, GLint *value)
@@ -162,6 +169,7 @@ ew_gl_function watched_gl_get_proc_address(void *user, const char *name)
         {"glShaderSource", (ew_gl_function)shader_source},
         {"glCompileShader", (ew_gl_function)compile_shader},
         {"glLinkProgram", (ew_gl_function)link_program},
+        {"glDrawArrays", (ew_gl_function)draw_arrays},
         {"glGetProgramiv", (ew_gl_function)get_programiv},
         {"glGetShaderiv", (ew_gl_function)get_shaderiv},
         {"glUseProgram", (ew_gl_function)use_program},

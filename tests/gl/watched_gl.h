@@ -10,7 +10,7 @@ typedef struct watched_gl {
     gl_context *context;
     int loaded;  /* functions that were asked for */
     int objects; /* made and not yet deleted */
-    int compiled;
+    int compiled, linked, drawn;
     /* To be set before an effect is created. How often a program is to say that it is not complete, or -1 for the driver's own
      * ways. */
     int completion_delay;

@@ -1,5 +1,6 @@
 /* Frames: what is wrong with one is named before any GL is called. */
 #include "check.h"
+#include "plan/frame.h"
 #include "plan/plan.h"
 
 #include <float.h>
@@ -41,6 +42,17 @@ static void the_defaults_need_only_a_viewport(void **state)
     frame = good_frame();
     expect_taken(&frame);
     expect_refused(NULL, "frame");
+}
+
+/* The composite neither clips nor leaves contours, and faint glow does not band. */
+static void the_defaults_suit_a_window_of_8_bits(void **state)
+{
+    (void)state;
+    const ew_frame_desc frame = EW_FRAME_DEFAULTS;
+    assert_int_equal(frame.output, EW_OUTPUT_SOFT);
+    assert_int_equal(frame.encoding, EW_ENCODING_LINEAR_8BIT);
+    assert_int_equal(frame.dither, 1);
+    assert_int_equal(frame.framebuffer, 0);
 }
 
 static void every_number_that_is_not_finite_is_refused_by_name(void **state)
@@ -106,6 +118,109 @@ static void a_view_that_was_kept_in_floats_is_taken(void **state)
     frame.view[2] = -frame.view[8];
     frame.view[12] = 1e5;
     expect_taken(&frame);
+}
+
+/* A turn by angle b about x after one by a about y, as a camera has it at (ex, ey, ez). */
+static void look(double a, double b, const double eye[3], double view[16])
+{
+    const double rows[3][3] = {
+        {cos(a), 0, -sin(a)}, {sin(b) * sin(a), cos(b), sin(b) * cos(a)}, {cos(b) * sin(a), -sin(b), cos(b) * cos(a)}};
+    memset(view, 0, 16 * sizeof *view);
+    view[15] = 1;
+    for (int row = 0; row < 3; ++row)
+        for (int column = 0; column < 3; ++column) {
+            view[4 * column + row] = rows[row][column];
+            view[12 + row] -= rows[row][column] * eye[column];
+        }
+}
+
+/* The largest entry of R R^T - 1. */
+static double deviation(const double view[16])
+{
+    double largest = 0;
+    for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j) {
+            double product = 0;
+            for (int k = 0; k < 3; ++k)
+                product += view[4 * k + i] * view[4 * k + j];
+            largest = fmax(largest, fabs(product - (i == j)));
+        }
+    return largest;
+}
+
+/* An engine turns its camera by products of matrices of floats, and never makes them orthonormal again. The light must be where
+ * the engine sees its own things: relative to the eye, as far off as the matrix is from a rotation. */
+static void a_view_that_drifted_is_taken_for_the_rotation_next_to_it(void **state)
+{
+    (void)state;
+    const double eye[3] = {2e4, -300, 5e3};
+    for (int reflected = 0; reflected < 2; ++reflected) {
+        ew_frame_desc frame = good_frame();
+        double exact[16];
+        look(0.7, -0.3, eye, exact);
+        for (int i = 0; i < 16 && reflected; i += 4)
+            exact[i] = -exact[i];
+        /* R + drift R, and the same for the translation: the eye stays. */
+        static const double drift[3][3] = {{3e-4, 2e-4, -1e-4}, {1e-4, -2e-4, 3e-4}, {-4e-4, 1e-4, 2e-4}};
+        for (int column = 0; column < 4; ++column)
+            for (int row = 0; row < 3; ++row) {
+                double *element = &frame.view[4 * column + row];
+                *element = exact[4 * column + row];
+                for (int k = 0; k < 3; ++k)
+                    *element += drift[row][k] * exact[4 * column + k];
+            }
+        frame.view[15] = 1;
+        assert_true(deviation(frame.view) > 5e-4);
+        expect_taken(&frame);
+        const ew_frame_desc settled = ew_settle_frame(&frame, false);
+        assert_true(deviation(settled.view) < 1e-14);
+        for (int row = 0; row < 3; ++row) {
+            double seen = settled.view[12 + row];
+            for (int k = 0; k < 3; ++k)
+                seen += settled.view[4 * k + row] * eye[k];
+            assert_true(fabs(seen) < 1e-9); /* the eye is the origin of what it sees */
+        }
+        for (int i = 0; i < 11; ++i)
+            assert_true(fabs(settled.view[i] - frame.view[i]) < 5e-4);
+    }
+}
+
+static void a_view_that_is_exact_stays_as_it_is(void **state)
+{
+    (void)state;
+    ew_frame_desc frame = good_frame();
+    look(0.7, -0.3, (const double[3]){2e4, -300, 5e3}, frame.view);
+    const ew_frame_desc settled = ew_settle_frame(&frame, false);
+    assert_memory_equal(settled.view, frame.view, sizeof frame.view);
+}
+
+static void a_last_row_that_drifted_is_taken_for_the_one_next_to_it(void **state)
+{
+    (void)state;
+    ew_frame_desc frame = good_frame();
+    frame.view[3] = 1e-8; /* an inverse in floats */
+    frame.view[15] = 1 - 1e-7;
+    expect_taken(&frame);
+    const ew_frame_desc settled = ew_settle_frame(&frame, false);
+    assert_true(settled.view[3] == 0 && settled.view[15] == 1);
+}
+
+static void a_view_beyond_the_tolerance_is_refused(void **state)
+{
+    (void)state;
+    ew_frame_desc frame = good_frame();
+    frame.view[0] = 1.0004; /* squared, 8e-4 beyond 1 */
+    expect_taken(&frame);
+    frame.view[0] = 1.0006;
+    expect_refused(&frame, "view");
+    frame = good_frame();
+    frame.view[4] = 0.9e-3;
+    expect_taken(&frame);
+    frame.view[4] = 1.1e-3;
+    expect_refused(&frame, "1e-3");
+    frame = good_frame();
+    frame.view[7] = 1e-5;
+    expect_refused(&frame, "view");
 }
 
 static void a_projection_that_projects_nothing_is_refused(void **state)
@@ -284,6 +399,9 @@ static void values_outside_an_enumeration_are_refused(void **state)
         frame = good_frame();
         frame.skip_restore = bad[i];
         expect_refused(&frame, "skip_restore");
+        frame = good_frame();
+        frame.keep_stencil_test = bad[i];
+        expect_refused(&frame, "keep_stencil_test");
     }
 }
 
@@ -302,9 +420,14 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_defaults_need_only_a_viewport),
+        cmocka_unit_test(the_defaults_suit_a_window_of_8_bits),
         cmocka_unit_test(every_number_that_is_not_finite_is_refused_by_name),
         cmocka_unit_test(a_view_that_is_not_rigid_is_refused),
         cmocka_unit_test(a_view_that_was_kept_in_floats_is_taken),
+        cmocka_unit_test(a_view_that_drifted_is_taken_for_the_rotation_next_to_it),
+        cmocka_unit_test(a_view_that_is_exact_stays_as_it_is),
+        cmocka_unit_test(a_last_row_that_drifted_is_taken_for_the_one_next_to_it),
+        cmocka_unit_test(a_view_beyond_the_tolerance_is_refused),
         cmocka_unit_test(a_projection_that_projects_nothing_is_refused),
         cmocka_unit_test(an_interval_without_length_is_refused),
         cmocka_unit_test(only_a_parallel_projection_may_start_behind_the_eye),

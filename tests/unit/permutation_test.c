@@ -27,7 +27,7 @@ static void weights_count_only_where_a_kind_takes_them(void **state)
     assert_true(ew_permutation_of(&curves, &defaults) & EW_PERMUTATION_WEIGHTS);
 }
 
-static void dither_is_for_pictures_of_eight_bits_alone(void **state)
+static void dither_is_for_pictures_of_few_bits_alone(void **state)
 {
     (void)state;
     const ew_mix mix = {.point_count = 1};
@@ -38,7 +38,12 @@ static void dither_is_for_pictures_of_eight_bits_alone(void **state)
     assert_true(ew_permutation_of(&mix, &frame) & EW_PERMUTATION_DITHER_SRGB);
     frame.encoding = EW_ENCODING_FLOAT;
     assert_false(ew_permutation_of(&mix, &frame) & EW_PERMUTATION_DITHER);
-    frame.encoding = EW_ENCODING_LINEAR_8BIT;
+    static const ew_encoding few_bits[] = {EW_ENCODING_LINEAR_8BIT, EW_ENCODING_LINEAR_10BIT, EW_ENCODING_FLOAT_11BIT};
+    for (int i = 0; i < 3; ++i) {
+        frame.encoding = few_bits[i];
+        assert_true(ew_permutation_of(&mix, &frame) & EW_PERMUTATION_DITHER);
+        assert_false(ew_permutation_of(&mix, &frame) & EW_PERMUTATION_DITHER_SRGB);
+    }
     frame.output = EW_OUTPUT_LUMINANCE;
     assert_false(ew_permutation_of(&mix, &frame) & EW_PERMUTATION_DITHER);
 }
@@ -105,7 +110,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(counts_up_to_four_are_exact_and_more_are_any),
         cmocka_unit_test(weights_count_only_where_a_kind_takes_them),
-        cmocka_unit_test(dither_is_for_pictures_of_eight_bits_alone),
+        cmocka_unit_test(dither_is_for_pictures_of_few_bits_alone),
         cmocka_unit_test(a_general_shader_covers_what_it_is_general_for),
         cmocka_unit_test(the_world_integral_has_reaches_and_cores_as_wide_as_pixels),
         cmocka_unit_test(bends_count_only_where_there_are_paths),

@@ -59,6 +59,7 @@ ew_frame_desc stage_frame(double distance)
     p[11] = -1;
     p[14] = -2 * far_depth * near_depth / (far_depth - near_depth);
     frame.framebuffer = target.framebuffer;
+    frame.encoding = EW_ENCODING_FLOAT;
     frame.viewport_width = STAGE_WIDTH;
     frame.viewport_height = STAGE_HEIGHT;
     frame.encoding = EW_ENCODING_FLOAT;

@@ -1,0 +1,111 @@
+/* The format, the size and the attachment of a depth texture: see depth_check.h. */
+#include "host/depth_check.h"
+
+#include "base/error.h"
+
+static GLint attachment_parameter(const ew_gl *gl, GLenum attachment, GLenum name)
+{
+    GLint value = 0;
+    gl->GetFramebufferAttachmentParameteriv(GL_DRAW_FRAMEBUFFER, attachment, name, &value);
+    return value;
+}
+
+static bool is_attached(const ew_gl *gl, GLenum attachment, GLuint texture)
+{
+    return attachment_parameter(gl, attachment, GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE) == GL_TEXTURE &&
+           (GLuint)attachment_parameter(gl, attachment, GL_FRAMEBUFFER_ATTACHMENT_OBJECT_NAME) == texture;
+}
+
+static ew_result check_not_attached(const ew_gl *gl, const ew_plan *plan, ew_error *error)
+{
+    const GLuint texture = plan->depth.texture, framebuffer = plan->target.framebuffer;
+    if (framebuffer == 0) return EW_OK;
+    if (is_attached(gl, GL_DEPTH_ATTACHMENT, texture))
+        return ew_fail(error, EW_ERROR_INVALID_ARGUMENT,
+                       "depth_texture %u is attached to framebuffer %u, which GL cannot draw to while it reads the texture; "
+                       "detach it, or set depth_source to EW_DEPTH_FRAMEBUFFER",
+                       texture, framebuffer);
+    for (GLint i = 0; i < gl->max_draw_buffers && plan->depth.source == EW_DEPTH_TEXTURE_LINEAR; i++)
+        if (is_attached(gl, GL_COLOR_ATTACHMENT0 + (GLenum)i, texture))
+            return ew_fail(error, EW_ERROR_INVALID_ARGUMENT,
+                           "depth_texture %u is attached to framebuffer %u, which GL cannot draw to while it reads the "
+                           "texture; draw the light to a framebuffer without it",
+                           texture, framebuffer);
+    return EW_OK;
+}
+
+static GLint level_parameter(const ew_gl *gl, GLenum texture_target, GLenum name)
+{
+    GLint value = 0;
+    gl->GetTexLevelParameteriv(texture_target, 0, name, &value);
+    return value;
+}
+
+static ew_result check_format(const ew_gl *gl, const ew_plan *plan, GLenum texture_target, ew_error *error)
+{
+    const GLuint texture = plan->depth.texture;
+    if (level_parameter(gl, texture_target, GL_TEXTURE_WIDTH) == 0)
+        return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "depth_texture %u has no storage", texture);
+    if (level_parameter(gl, texture_target, GL_TEXTURE_RED_TYPE) == GL_FLOAT) return EW_OK;
+    if (plan->depth.source == EW_DEPTH_TEXTURE_LINEAR)
+        return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "depth_texture %u is not of a float format, which view depth needs",
+                       texture);
+    if (level_parameter(gl, texture_target, GL_TEXTURE_DEPTH_SIZE) > 0) return EW_OK;
+    return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "depth_texture %u is neither of a depth format nor of a float format",
+                   texture);
+}
+
+static void find_renderbuffer_size(const ew_gl *gl, GLuint renderbuffer, GLint size[2])
+{
+    GLint bound = 0;
+    gl->GetIntegerv(GL_RENDERBUFFER_BINDING, &bound);
+    gl->BindRenderbuffer(GL_RENDERBUFFER, renderbuffer);
+    gl->GetRenderbufferParameteriv(GL_RENDERBUFFER, GL_RENDERBUFFER_WIDTH, &size[0]);
+    gl->GetRenderbufferParameteriv(GL_RENDERBUFFER, GL_RENDERBUFFER_HEIGHT, &size[1]);
+    gl->BindRenderbuffer(GL_RENDERBUFFER, (GLuint)bound);
+}
+
+/* The size of a framebuffer's first image. Where GL does not tell, returns false. */
+static bool find_target_size(const ew_gl *gl, GLint size[2])
+{
+    GLint buffer = GL_NONE;
+    gl->GetIntegerv(GL_DRAW_BUFFER0, &buffer);
+    const GLenum image = (GLenum)buffer;
+    const GLuint name = (GLuint)attachment_parameter(gl, image, GL_FRAMEBUFFER_ATTACHMENT_OBJECT_NAME);
+    if (attachment_parameter(gl, image, GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE) == GL_RENDERBUFFER) {
+        find_renderbuffer_size(gl, name, size);
+        return true;
+    }
+    if (!gl->GetTextureLevelParameteriv) return false;
+    const GLint level = attachment_parameter(gl, image, GL_FRAMEBUFFER_ATTACHMENT_TEXTURE_LEVEL);
+    gl->GetTextureLevelParameteriv(name, level, GL_TEXTURE_WIDTH, &size[0]);
+    gl->GetTextureLevelParameteriv(name, level, GL_TEXTURE_HEIGHT, &size[1]);
+    return true;
+}
+
+/* Every pixel of the viewport that is on the target needs a depth. Nothing tells the window's size: its viewport is taken to be
+ * on it. */
+static ew_result check_size(const ew_gl *gl, const ew_plan *plan, GLenum texture_target, ew_error *error)
+{
+    const ew_viewport *viewport = &plan->target.viewport;
+    const GLint width = level_parameter(gl, texture_target, GL_TEXTURE_WIDTH);
+    const GLint height = level_parameter(gl, texture_target, GL_TEXTURE_HEIGHT);
+    const long long right = (long long)viewport->x + viewport->width, top = (long long)viewport->y + viewport->height;
+    if (right <= width && top <= height) return EW_OK;
+    GLint target[2] = {0, 0};
+    if (plan->target.framebuffer && !find_target_size(gl, target)) return EW_OK;
+    if (plan->target.framebuffer && (right <= width || target[0] <= width) && (top <= height || target[1] <= height))
+        return EW_OK;
+    return ew_fail(
+        error, EW_ERROR_INVALID_ARGUMENT,
+        "depth_texture %u is %d x %d pixels, and the viewport goes up to %lld, %lld; its pixels must be the target's",
+        plan->depth.texture, width, height, right, top);
+}
+
+ew_result ew_depth_check(const ew_gl *gl, const ew_plan *plan, GLenum texture_target, ew_error *error)
+{
+    ew_result result = check_not_attached(gl, plan, error);
+    if (result != EW_OK || !gl->GetTexLevelParameteriv) return result;
+    result = check_format(gl, plan, texture_target, error);
+    return result == EW_OK ? check_size(gl, plan, texture_target, error) : result;
+}
