@@ -4,8 +4,6 @@
 uniform sampler2D ew_cell_texture;
 uniform sampler2D ew_block_texture;
 uniform int ew_stride;
-// 1, or -1 where NDC's y points down in the target.
-uniform int ew_up;
 uniform bool ew_draws_torn;
 
 bool ew_is_drawn(ivec2 place)
@@ -25,8 +23,7 @@ void main()
     ivec2 count = (ew_grid.viewport.zw + width - 1) / width;
     ivec2 place = ivec2(gl_VertexID % count.x, gl_VertexID / count.x);
     vec2 center = (vec2(place) + 0.5) / vec2(count);
-    vec2 ndc = (2.0 * center - 1.0) * vec2(1, ew_up);
-    gl_Position = ew_is_drawn(place) ? vec4(ndc, 0.0, 1.0) : vec4(2.0, 2.0, 2.0, 1.0);
+    gl_Position = ew_is_drawn(place) ? vec4(2.0 * center - 1.0, 0.0, 1.0) : vec4(2.0, 2.0, 2.0, 1.0);
     gl_PointSize = float(width);
 #ifdef EW_INTERPOLATED
     ew_fit(ew_first_node(place, ew_stride), ew_stride);

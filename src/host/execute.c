@@ -158,8 +158,8 @@ static ew_result find_program(ew_device *device, const plan_task *task, ew_pass 
     return ew_program_prepare(cache, &device->gl, task->allocator, pass_key, name, steps_left, error);
 }
 
-/* Finds the programs of all passes. Where plans are prepared, takes a step towards each of them if the driver compiles on its own
- * threads, and else towards the first that is not ready. */
+/* Finds the programs of all passes. Where plans are prepared, takes a step towards each of them if the driver compiles on its
+ * own threads, and else towards the first that is not ready. */
 static ew_result find_programs(ew_device *device, const plan_task *task, bool on_grid, unsigned key, ew_pass_programs *programs,
                                int *steps_left, ew_error *error)
 {

@@ -44,6 +44,7 @@ DEFINE_LOAD(indexed_blend, EW_GL_INDEXED_BLEND_FUNCTIONS)
 DEFINE_LOAD(multisample, EW_GL_MULTISAMPLE_FUNCTIONS)
 DEFINE_LOAD(texture_query, EW_GL_TEXTURE_QUERY_FUNCTIONS)
 DEFINE_LOAD(viewport_array, EW_GL_VIEWPORT_ARRAY_FUNCTIONS)
+DEFINE_LOAD(clip_control, EW_GL_CLIP_CONTROL_FUNCTIONS)
 DEFINE_LOAD(pipeline, EW_GL_PIPELINE_FUNCTIONS)
 DEFINE_LOAD(transform_feedback, EW_GL_TRANSFORM_FEEDBACK_FUNCTIONS)
 DEFINE_LOAD(desktop, EW_GL_DESKTOP_FUNCTIONS)
@@ -228,6 +229,8 @@ ew_result ew_gl_load(ew_gl *gl, ew_gl_function (*get_proc_address)(void *user, c
     gl->float_targets = point_sizes[1] >= EW_CELL_SIZE * EW_BLOCK_CELLS &&
                         (!gl->es || gl->version >= 32 || has_extension(gl, "GL_EXT_color_buffer_float"));
     gl->clip_control = has_clip_control(gl, &loader);
+    if (gl->clip_control) load_clip_control(gl, &loader, gl->es ? "EXT" : "");
+    if (loader.missing_count > 0) return fail_missing(&loader, error);
     gl->framebuffer_srgb = !gl->es || has_extension(gl, "GL_EXT_sRGB_write_control");
     gl->multisample = !gl->es || has_extension(gl, "GL_EXT_multisample_compatibility");
     gl->layered_framebuffers = !gl->es || gl->version >= 32 || has_extension(gl, "GL_OES_geometry_shader") ||

@@ -104,6 +104,8 @@
 #define EW_GL_VIEWPORT_ARRAY_FUNCTIONS(X)                                                                                      \
     X(PFNGLSCISSORINDEXEDPROC, ScissorIndexed)                                                                                 \
     X(PFNGLVIEWPORTINDEXEDFPROC, ViewportIndexedf)
+/* Where NDC's y points in a target. */
+#define EW_GL_CLIP_CONTROL_FUNCTIONS(X) X(PFNGLCLIPCONTROLPROC, ClipControl)
 /* Program pipelines. */
 #define EW_GL_PIPELINE_FUNCTIONS(X)                                                                                            \
     X(PFNGLACTIVESHADERPROGRAMPROC, ActiveShaderProgram)                                                                       \
@@ -130,6 +132,7 @@ typedef struct ew_gl {
     EW_GL_MULTISAMPLE_FUNCTIONS(EW_GL_MEMBER)
     EW_GL_TEXTURE_QUERY_FUNCTIONS(EW_GL_MEMBER)
     EW_GL_VIEWPORT_ARRAY_FUNCTIONS(EW_GL_MEMBER)
+    EW_GL_CLIP_CONTROL_FUNCTIONS(EW_GL_MEMBER)
     EW_GL_PIPELINE_FUNCTIONS(EW_GL_MEMBER)
     EW_GL_TRANSFORM_FEEDBACK_FUNCTIONS(EW_GL_MEMBER)
     EW_GL_DESKTOP_FUNCTIONS(EW_GL_MEMBER)

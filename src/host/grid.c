@@ -180,13 +180,6 @@ static void draw_patches(const ew_drawing *drawing, extent patches, int stride)
     drawing->gl->DrawArrays(GL_POINTS, drawing->is_ahead ? count : 0, drawing->is_ahead ? 1 : count);
 }
 
-/* Tells a program, which must be in use, where the target's up is. */
-static void set_up(const ew_drawing *drawing, ew_pass pass)
-{
-    const ew_gl *gl = drawing->gl;
-    gl->Uniform1i(gl->GetUniformLocation(drawing->programs.names[pass], "ew_up"), ew_gl_is_upside_down(gl) ? -1 : 1);
-}
-
 static void draw_cells(void *user)
 {
     const ew_drawing *drawing = user;
@@ -199,7 +192,6 @@ void ew_grid_draw(const ew_grid *grid, const ew_drawing *drawing)
     const grid_extents extents = extents_of(&drawing->plan->target.viewport);
     bind(gl, EW_GL_BLOCK_TEXTURE_UNIT, grid->blocks);
     gl->UseProgram(drawing->programs.names[EW_PASS_INTERPOLATION]);
-    set_up(drawing, EW_PASS_INTERPOLATION);
     set_stride(drawing, EW_PASS_INTERPOLATION, EW_BLOCK_CELLS);
     draw_patches(drawing, extents.blocks, EW_BLOCK_CELLS);
     set_stride(drawing, EW_PASS_INTERPOLATION, 1);
@@ -208,7 +200,6 @@ void ew_grid_draw(const ew_grid *grid, const ew_drawing *drawing)
     const GLuint program = drawing->programs.names[EW_PASS_CELLS];
     const GLint draws_torn = gl->GetUniformLocation(program, "ew_draws_torn");
     use_with_samples(drawing, EW_PASS_CELLS, 1);
-    set_up(drawing, EW_PASS_CELLS);
     set_stride(drawing, EW_PASS_CELLS, 1);
     gl->Uniform1i(draws_torn, 0);
     draw_patches(drawing, extents.cells, 1);

@@ -17,8 +17,8 @@ typedef struct ew_program {
     bool is_ready;
 } ew_program;
 
-/* Starts to make the program of a pass and `key`, with the library's own integrator (NULL) or another one: hands its shaders to the
- * compiler. */
+/* Starts to make the program of a pass and `key`, with the library's own integrator (NULL) or another one: hands its shaders to
+ * the compiler. */
 ew_result ew_program_start(const ew_gl *gl, ew_pass pass, unsigned key, const ew_integrator_text *integrator,
                            ew_program *program, ew_error *error);
 

@@ -116,7 +116,7 @@ ew_result ew_gl_save_state(const ew_gl *gl, ew_gl_state *state, ew_error *error)
     if (gl->framebuffer_srgb) state->framebuffer_srgb = gl->IsEnabled(GL_FRAMEBUFFER_SRGB);
     if (!gl->es) state->program_point_size = gl->IsEnabled(GL_PROGRAM_POINT_SIZE);
     if (gl->compatibility) state->point_sprite = gl->IsEnabled(COMPATIBILITY_POINT_SPRITE);
-    state->is_scissor_changed = false;
+    state->is_grid_begun = false;
     for (int i = 0; i < gl->unwanted_capability_count; i++)
         state->capabilities[i] = gl->IsEnabled(gl->unwanted_capabilities[i]);
     return EW_OK;
@@ -243,10 +243,15 @@ static void set_scissor(const ew_gl *gl, bool on, const GLint box[4])
 
 void ew_gl_begin_grid(const ew_gl *gl, ew_gl_state *state)
 {
-    state->is_scissor_changed = true;
+    state->is_grid_begun = true;
     state->scissor_test = has_scissor(gl);
     gl->GetIntegerv(GL_SCISSOR_BOX, state->scissor);
     set_scissor(gl, false, state->scissor);
+    if (gl->clip_control) {
+        gl->GetIntegerv(GL_CLIP_ORIGIN, &state->clip_origin);
+        gl->GetIntegerv(GL_CLIP_DEPTH_MODE, &state->clip_depth_mode);
+        gl->ClipControl(GL_LOWER_LEFT, (GLenum)state->clip_depth_mode);
+    }
     if (!gl->es) gl->Enable(GL_PROGRAM_POINT_SIZE);
     if (gl->compatibility) gl->Enable(COMPATIBILITY_POINT_SPRITE);
 }
@@ -288,7 +293,10 @@ static void restore_uniform_binding(const ew_gl *gl, const ew_gl_state *state)
 void ew_gl_restore_objects(const ew_gl *gl, const ew_gl_state *state)
 {
     if (state->draw_buffer_count > 0) gl->DrawBuffers(state->draw_buffer_count, state->draw_buffers);
-    if (state->is_scissor_changed) set_scissor(gl, state->scissor_test, state->scissor);
+    if (state->is_grid_begun) {
+        set_scissor(gl, state->scissor_test, state->scissor);
+        if (gl->clip_control) gl->ClipControl((GLenum)state->clip_origin, (GLenum)state->clip_depth_mode);
+    }
     for (int unit = 0; unit < EW_GL_TEXTURE_UNIT_COUNT; ++unit)
         gl->BindSampler((GLuint)unit, state->samplers[unit]);
 }

@@ -41,8 +41,9 @@ typedef struct ew_gl_state {
     bool multisample;
     bool framebuffer_srgb;
     bool program_point_size;
-    bool point_sprite; /* of the compatibility profile: points are squares */
-    bool is_scissor_changed;
+    bool point_sprite;  /* of the compatibility profile: points are squares */
+    bool is_grid_begun; /* what follows is saved */
+    GLint clip_origin, clip_depth_mode;
     bool scissor_test;
     GLint scissor[4];
     bool capabilities[EW_GL_MAX_CAPABILITIES];
@@ -85,14 +86,15 @@ void ew_gl_set_draw_state(const ew_gl *gl, ew_gl_state *state, const ew_gl_draw_
 void ew_gl_set_viewport(const ew_gl *gl, const ew_viewport *viewport);
 void ew_gl_set_blend(const ew_gl *gl, bool blend);
 
-/* Lets points have the size that the shader gives them, and switches the host's scissor off. */
+/* Lets points have the size that the shader gives them, switches the host's scissor off, and has NDC's y point up. (Turned
+ * over, Mesa's llvmpipe draws points a row beyond the scissor.) */
 void ew_gl_begin_grid(const ew_gl *gl, ew_gl_state *state);
 
 /* Confines drawing to a viewport of the target, and to the host's scissor again. */
 void ew_gl_clip_to(const ew_gl *gl, const ew_gl_state *state, const ew_viewport *viewport);
 
-/* Restores the host's objects, its scissor, and the samplers that state names. The effect's framebuffer must still be bound for
- * drawing. */
+/* Restores the host's objects, its scissor and clip origin, and the samplers that state names. The effect's framebuffer must
+ * still be bound for drawing. */
 void ew_gl_restore_objects(const ew_gl *gl, const ew_gl_state *state);
 
 /* Restores the saved state, objects included. */

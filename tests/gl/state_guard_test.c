@@ -640,6 +640,7 @@ static void failed_draws_leave_all_state(void **unused)
  * the first. */
 static struct dirty_state {
     const char *name;
+    int count;     /* of units; 0 stands for 1 */
     bool may_stay; /* on hardware, where some drivers leave it alone */
     bool known;    /* in this context */
     bool seen;
@@ -650,8 +651,8 @@ static struct dirty_state {
     {.name = "GL_UNIFORM_BUFFER_BINDING"},
     {.name = "GL_UNIFORM_BUFFER"},
     {.name = "GL_ACTIVE_TEXTURE"},
-    {.name = "GL_SAMPLER_BINDING"},
-    {.name = "GL_TEXTURE_BINDING_2D"},
+    {.name = "GL_SAMPLER_BINDING", .count = EW_GL_TEXTURE_UNIT_COUNT},
+    {.name = "GL_TEXTURE_BINDING_2D", .count = EW_GL_TEXTURE_UNIT_COUNT},
     {.name = "GL_TEXTURE_BINDING_2D_MULTISAMPLE"},
     {.name = "GL_DRAW_FRAMEBUFFER_BINDING"},
     {.name = "GL_READ_FRAMEBUFFER_BINDING"},
@@ -684,6 +685,9 @@ static struct dirty_state {
     {.name = "GL_POLYGON_SMOOTH"},
     {.name = "GL_COLOR_LOGIC_OP"},
     {.name = "GL_PRIMITIVE_RESTART"},
+    {.name = "GL_PROGRAM_POINT_SIZE"},
+    {.name = "GL_POINT_SMOOTH"},
+    {.name = "GL_POINT_SPRITE"},
     {.name = "GL_CLIP_DISTANCE0"},
     {.name = "GL_CLIP_DISTANCE1"},
     {.name = "GL_CLIP_DISTANCE2"},
@@ -718,7 +722,7 @@ static int count_undocumented_differences(const state *before, const state *afte
         struct dirty_state *dirty = find_dirty(old);
         if (dirty) dirty->known = true;
         if (old->value == new->value) continue;
-        if (dirty && old->index == 0) {
+        if (dirty && old->index < (dirty->count ? dirty->count : 1)) {
             dirty->seen = true;
         } else if (undocumented++ < 10) {
             fprintf(stderr, "%s [%d].%d was %.9g, is %.9g\n", old->name, old->index, old->component, old->value, new->value);
