@@ -1,6 +1,6 @@
 #!/bin/sh
-# C++ hosts compile against the installed header without a warning, by each compiler in each standard: the header's defaults, and
-# the README's glow, which draws its frame.
+# C++ hosts compile against the installed header without a warning, by each compiler in each standard: the header's defaults,
+# and the README's glow, which draws its frame.
 # Usage: cxx.sh PREFIX SOURCES
 prefix=$1 sources=$2
 . "$(dirname "$0")/cxx_compilers.sh"

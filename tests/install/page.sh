@@ -22,14 +22,14 @@ compiles() {
     shift
     compiled=$((compiled + 1))
     # shellcheck disable=SC2086 # a list of options
-    "$@" -Wall -Wextra -Werror $includes -c "$block" -o block.o && return
+    "$@" -pedantic-errors -Wall -Wextra -Werror $includes -c "$block" -o block.o && return
     echo "$block: $*"
     failures=$((failures + 1))
 }
 
 # in_cxx COMPILER STANDARD BLOCK
 in_cxx() {
-    compiles "$3" "$1" -std="$2" -pedantic-errors -x c++
+    compiles "$3" "$1" -std="$2" -x c++
 }
 
 compiled=0

@@ -1,6 +1,6 @@
 #!/bin/sh
-# ew-render and ew-demo on Windows draw what they draw elsewhere, write over older files and bytes as they are, and ew-demo opens
-# its window and obeys its keys. The display must be there.
+# ew-render and ew-demo on Windows draw what they draw elsewhere, write over older files and bytes as they are, and ew-demo
+# opens its window and obeys its keys. The display must be there.
 # Usage: demo.sh EMULATOR EW_RENDER EW_DEMO EW_PROBE_IMAGE NATIVE_EW_RENDER SCENES
 emulator=$1 ew_render=$2 ew_demo=$3 probe=$4 native_ew_render=$5 scenes=$6
 . "$(dirname "$0")/../checks.sh"

@@ -1,7 +1,7 @@
 #!/bin/sh
-# The library and the programs are in the language that Microsoft's compiler takes, as far as clang can tell when it plays that
-# compiler: no warning, no extension and, in the library, no __attribute__. The C library's and Windows' headers are wine's, which
-# follow Microsoft's; those of GL are MinGW's. No code is made, so nothing is said about linking.
+# The library and the programs are in the language that Microsoft's compiler takes, as far as clang can tell when it plays
+# that compiler: no warning, no extension and, in the library, no __attribute__. The C library's and Windows' headers are
+# wine's, which follow Microsoft's; those of GL are MinGW's. No code is made, so nothing is said about linking.
 # Usage: msvc_syntax.sh SOURCE_FOLDER BUILD_FOLDER INCLUDE_FOLDER, the last of GLFW, Jansson and stb
 sources=$1 build=$2 includes=$3
 wine=/usr/include/wine/wine

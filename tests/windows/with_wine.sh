@@ -1,5 +1,6 @@
 #!/bin/sh
-# Runs a command that runs programs for Windows, with a display, a Windows folder and a wine server of its own, which end with it.
+# Runs a command that runs programs for Windows, with a display, a Windows folder and a wine server of its own, which end with
+# it.
 # Usage: with_wine.sh FOLDER DLL_FOLDERS COMMAND...; FOLDER is for wine's files, DLL_FOLDERS are separated by colons
 set -eu
 folder=$1 dll_folders=$2
