@@ -18,6 +18,7 @@ mkfifo "$folder/display"
 Xvfb -displayfd 3 -screen 0 1024x768x24 3> "$folder/display" 2> /dev/null &
 server=$!
 trap 'wineserver -k || true; kill $server' EXIT
+trap 'exit 1' INT TERM
 read -r number < "$folder/display"
 export DISPLAY=:"$number"
 wineserver -p # so that not every program has to start it
