@@ -1,6 +1,6 @@
 #!/bin/sh
-# An example of demo/examples shows light that moves, in a window under Xvfb. The window can be resized, and Escape ends the program
-# cleanly.
+# An example of demo/examples shows light that moves, in a window under Xvfb. The window can be resized, and Escape ends the
+# program cleanly.
 # Usage: example.sh EXAMPLE
 example=$1
 . "$(dirname "$0")/../checks.sh"
