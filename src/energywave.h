@@ -37,6 +37,8 @@
  *     ew_draw(effect, &frame, NULL);
  *     ew_destroy_effect(effect);
  *
+ * In C++, from C++11 on, members are set one by one: ew_point orb = {}; orb.core = 0.1; ...
+ *
  * Space and units. Sources are given in the host's world space, and lengths in world units, in double precision. The library
  * brings sources into the camera's space before it rounds to float, so distance from the world's origin costs no accuracy.
  * Colours are linear RGB. Matrices are column-major, for column vectors, as in OpenGL. View space looks along -z; *view depth*
@@ -69,8 +71,6 @@ extern "C" {
 
 #if defined(EW_STATIC)
 #define EW_API
-#elif defined(_WIN32) && defined(EW_BUILD)
-#define EW_API __declspec(dllexport)
 #elif defined(_WIN32)
 #define EW_API __declspec(dllimport)
 #else
@@ -240,8 +240,8 @@ typedef struct ew_path {
     double sharpness;
 } ew_path;
 
-/* Computes the polynomial, on the domain [0, 1], of the quadratic Bezier curve with these control points: equation (10). */
-EW_API void ew_bezier_polynomial(double control_points[3][3], double polynomial[3][3]);
+/* Computes the polynomial, on the domain [0, 1], of the quadratic Bezier curve with three control points: equation (10). */
+EW_API void ew_bezier_polynomial(const double start[3], const double middle[3], const double end[3], double polynomial[3][3]);
 
 /* Fills `weights[0..count)` with a pulse that travels along a curve as `frame`, a frame number, grows: thesis (5.1). Weight i
  * rises from frame 7 i, reaches its peak of 1 at 7 i + 25 and is back at 0 at 7 i + 50. Before and after that it is 0: theta' =
@@ -492,15 +492,23 @@ typedef struct ew_frame_desc {
 
 #define EW_CORE_PIXELS_DEFAULT -1.0
 
+/* By position, because C++ knows no designators before C++20: in the order of the members, and none left out. */
 #define EW_FRAME_DEFAULTS                                                                                                      \
     {                                                                                                                          \
-        .view = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1},                                                              \
-        .projection = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1, -1, 0, 0, -0.2, 0}, .clip_depth = EW_CLIP_DEPTH_NEGATIVE_ONE_TO_ONE,  \
-        .interval_start = 0, .interval_end = 0, .decay_alpha = 1, .decay_beta = 1, .core_pixels = EW_CORE_PIXELS_DEFAULT,      \
-        .exposure = 1, .integrator = EW_INTEGRATOR_ADAPTIVE, .quality = EW_QUALITY_ERROR_1E_3, .simpson_divisions = 200,       \
-        .resolution = EW_RESOLUTION_ADAPTIVE, .output = EW_OUTPUT_SOFT, .framebuffer = 0, .viewport_x = 0, .viewport_y = 0,    \
-        .viewport_width = 0, .viewport_height = 0, .encoding = EW_ENCODING_LINEAR_8BIT, .dither = 1,                           \
-        .depth_source = EW_DEPTH_TEXTURE, .depth_texture = 0, .keep_stencil_test = 0, .skip_restore = 0                        \
+        {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1},          /* view */                                                  \
+            {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1, -1, 0, 0, -0.2, 0}, /* projection */                                            \
+            EW_CLIP_DEPTH_NEGATIVE_ONE_TO_ONE,                     /* clip_depth */                                            \
+            0, 0,                                                  /* interval_start, interval_end */                          \
+            1, 1,                                                  /* decay_alpha, decay_beta */                               \
+            EW_CORE_PIXELS_DEFAULT,                                /* core_pixels */                                           \
+            1,                                                     /* exposure */                                              \
+            EW_INTEGRATOR_ADAPTIVE, EW_QUALITY_ERROR_1E_3, 200,    /* integrator, quality, simpson_divisions */                \
+            EW_RESOLUTION_ADAPTIVE,                                /* resolution */                                            \
+            EW_OUTPUT_SOFT,                                        /* output */                                                \
+            0, 0, 0, 0, 0,                                         /* framebuffer, viewport_x, _y, _width, _height */          \
+            EW_ENCODING_LINEAR_8BIT, 1,                            /* encoding, dither */                                      \
+            EW_DEPTH_TEXTURE, 0,                                   /* depth_source, depth_texture */                           \
+            0, 0                                                   /* keep_stencil_test, skip_restore */                       \
     }
 
 /* Draws the effect over what the framebuffer holds. The host's scissor (that of viewport 0), conditional rendering and

@@ -2,6 +2,7 @@
 #include "offscreen.h"
 #include "animation.h"
 #include "display.h"
+#include "files.h"
 #include "image.h"
 #include "message.h"
 #include "scene_file.h"
@@ -9,13 +10,12 @@
 
 #include <stdio.h>
 #include <stdlib.h>
-#include <unistd.h>
 
 /* Draws a progress bar, if standard error is a terminal. */
 static void show_progress(int done, int total)
 {
     enum { WIDTH = 40 };
-    if (!isatty(STDERR_FILENO)) return;
+    if (!file_is_terminal(stderr)) return;
     int filled = (int)((long long)WIDTH * done / total);
     fprintf(stderr, "\r[%.*s%*s] %d of %d frames%s", filled, "########################################", WIDTH - filled, "",
             done, total, done == total ? "\n" : "");

@@ -27,7 +27,7 @@ static const char help[] =
     "      --fps N             frames per second of the animation, 1 to 240 (default 30)\n"
     "  -o, --output NAME       pictures (.png), the frame's number in place of %d: -o frames/%05d.png\n"
     "      --video FILE        a video of the frames, by ffmpeg: .mp4, .webm, ...\n"
-    "      --backend NAME      of --offscreen: egl, osmesa or auto (default): EGL or else OSMesa\n"
+    "      --backend NAME      of --offscreen: " BACKEND_HELP "\n"
     "  -h, --help              print this help\n"
     "      --version           print the version\n"
     "\n"
@@ -132,6 +132,6 @@ bool options_read(int argc, char **argv, demo_options *options, char *message, s
         {"backend", 0, read_backend, &options->backend, BACKEND_REMEDY},
     };
     const command_program program = {"ew-demo", help, table, sizeof table / sizeof *table};
-    return command_line_read(argc, argv, &program, message, size) &&
+    return command_line_read(&argc, argv, &program, message, size) &&
            command_line_read_scene(argc, argv, "show", &options->scene, message, size) && check(options, message, size);
 }

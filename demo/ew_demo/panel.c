@@ -2,6 +2,7 @@
 #include "panel.h"
 #include "false_color.h"
 #include "integrator_name.h"
+#include "printf_format.h"
 
 #include <math.h>
 #include <stdarg.h>
@@ -27,7 +28,7 @@ typedef struct text_lines {
     size_t length;
 } text_lines;
 
-__attribute__((format(printf, 2, 3))) static void add(text_lines *lines, const char *format, ...)
+PRINTF_FORMAT(2, 3) static void add(text_lines *lines, const char *format, ...)
 {
     va_list arguments;
     va_start(arguments, format);

@@ -1,27 +1,22 @@
 /* Watching a scene file: see scene_watch.h. */
 #include "scene_watch.h"
 
-#include <string.h>
-
 bool scene_watch_begin(scene_watch *watch, const char *path)
 {
-    *watch = (scene_watch){.path = path};
-    /* This comes before reading, so that a save in between counts as a change. */
-    stat(path, &watch->seen);
+    /* The state comes before reading, so that a save in between counts as a change. */
+    *watch = (scene_watch){.path = path, .seen = file_look_at(path)};
     return scene_load(path, &watch->scene, watch->message, sizeof watch->message);
 }
 
 /* Editors may write the file in place, or replace it by another one. */
-static bool is_same(const struct stat *a, const struct stat *b)
+static bool is_same(const file_state *a, const file_state *b)
 {
-    return a->st_ino == b->st_ino && a->st_size == b->st_size && a->st_mtim.tv_sec == b->st_mtim.tv_sec &&
-           a->st_mtim.tv_nsec == b->st_mtim.tv_nsec;
+    return a->number == b->number && a->size == b->size && a->seconds == b->seconds && a->nanoseconds == b->nanoseconds;
 }
 
 bool scene_watch_look(scene_watch *watch)
 {
-    struct stat now = {0};
-    stat(watch->path, &now);
+    file_state now = file_look_at(watch->path);
     if (is_same(&now, &watch->seen)) return false;
     watch->seen = now;
     demo_scene scene;

@@ -4,16 +4,16 @@
 #ifndef SCENE_WATCH_H
 #define SCENE_WATCH_H
 
+#include "files.h"
 #include "scene_file.h"
 
 #include <stdbool.h>
-#include <sys/stat.h>
 
 typedef struct scene_watch {
     const char *path;
     demo_scene scene;  /* from the last good state of the file */
     char message[500]; /* what is wrong with the file now; empty if nothing is */
-    struct stat seen;
+    file_state seen;
 } scene_watch;
 
 /* Returns false, with the reason in `message` and nothing to free, if the file is not good at the start. */

@@ -1,5 +1,6 @@
 /* One frame of the window: see window_frame.h. */
 #include "window_frame.h"
+#include "files.h"
 #include "image.h"
 #include "message.h"
 #include "panel.h"
@@ -8,7 +9,6 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <unistd.h>
 
 /* A pixel of the map of errors covers this many pixels of the window each way, because its reference is costly. */
 enum { ERROR_MAP_PIXEL = 8 };
@@ -24,7 +24,7 @@ static void write_screenshot(demo_window *window)
     unsigned char *srgb = malloc((size_t)width * (size_t)height * 3);
     do
         snprintf(name, sizeof name, "ew-demo-%03d.png", ++number);
-    while (access(name, F_OK) == 0);
+    while (file_exists(name));
     image_pixels picture = {.width = width, .height = height, .channels = 3, .srgb = srgb};
     if (srgb) display_read(window->display, srgb);
     if (!srgb)

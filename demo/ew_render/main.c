@@ -25,7 +25,7 @@ static const char help[] =
     "      --integrator NAME   adaptive, or with its largest relative error as in adaptive:1e-2,\n"
     "                          adaptive:1e-3 (default), adaptive:1e-4; or simpson:N, N divisions\n"
     "      --resolution NAME   adaptive: integrate fewer pixels where the light is smooth (default); or full: every one\n"
-    "      --backend NAME      egl, osmesa or auto (default): EGL or else OSMesa\n"
+    "      --backend NAME      " BACKEND_HELP "\n"
     "  -h, --help              print this help\n"
     "      --version           print the version\n"
     "\n"
@@ -83,7 +83,7 @@ static bool read_options(int argc, char **argv, command_line *options, char *mes
         {"backend", 0, read_backend, &options->backend, BACKEND_REMEDY},
     };
     const command_program program = {"ew-render", help, table, sizeof table / sizeof *table};
-    return command_line_read(argc, argv, &program, message, size) &&
+    return command_line_read(&argc, argv, &program, message, size) &&
            command_line_read_scene(argc, argv, "render", &options->scene, message, size) &&
            check_options(options, message, size);
 }

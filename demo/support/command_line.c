@@ -5,94 +5,107 @@
 #include "message.h"
 
 #include <ctype.h>
-#include <getopt.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 /* ---- Options ------------------------------------------------------------------------------------------------------------- */
 
-enum { MAX_OPTIONS = 16 };
-
-/* What getopt_long returns for an option: beyond the characters, so that refuse can tell --help=please from a bad -z. */
-enum { OPTION_HELP = 256, OPTION_VERSION, OPTION_FIRST };
-
-/* getopt's description of a program's options. */
-typedef struct getopt_tables {
-    struct option long_options[MAX_OPTIONS + 3];
-    char short_options[2 * MAX_OPTIONS + 3];
-} getopt_tables;
-
-static getopt_tables make_tables(const command_program *program)
-{
-    getopt_tables tables = {
-        .long_options = {{"help", no_argument, NULL, OPTION_HELP}, {"version", no_argument, NULL, OPTION_VERSION}},
-        .short_options = ":h"};
-    char *letter = tables.short_options + 2;
-    for (size_t i = 0; i < program->option_count; i++) {
-        const command_option *option = &program->options[i];
-        tables.long_options[2 + i] =
-            (struct option){option->name, option->read ? required_argument : no_argument, NULL, OPTION_FIRST + (int)i};
-        if (!option->letter) continue;
-        *letter++ = option->letter;
-        if (option->read) *letter++ = ':';
-    }
-    return tables;
-}
-
-/* getopt puts a bad short option into optopt, for it may stand among others; a bad long one is the whole argument. */
-static void refuse(int option, char **argv, const char *program, char *message, size_t size)
-{
-    if (option == ':')
-        message_write(message, size, "%s: needs a value; see %s --help", argv[optind - 1], program);
-    else if (optopt > 0 && optopt < OPTION_HELP)
-        message_write(message, size, "-%c: is not an option; see %s --help", optopt, program);
-    else
-        message_write(message, size, "%s: is not an option; see %s --help", argv[optind - 1], program);
-}
-
-static const command_option *find_option(const command_program *program, int returned)
-{
-    for (size_t i = 0; i < program->option_count; i++)
-        if (returned == OPTION_FIRST + (int)i || returned == program->options[i].letter) return &program->options[i];
-    return NULL;
-}
-
 static bool read_value(const command_option *option, const char *text, char *message, size_t size)
 {
-    if (!option->read) return *(bool *)option->target = true;
     if (option->read(text, option->target)) return true;
     message_write(message, size, "--%s: %s, not \"%s\"", option->name, option->remedy, text);
     return false;
 }
 
-bool command_line_read(int argc, char **argv, const command_program *program, char *message, size_t size)
+/* An option as it was given: --name, --name=value, -l or -lvalue. */
+typedef struct given_option {
+    const char *argument;
+    const char *name; /* without its dashes, and with what follows it */
+    size_t name_length;
+    bool is_long;
+    const char *value; /* in the same argument; NULL if there is none */
+} given_option;
+
+static given_option take_apart(const char *argument)
 {
-    const getopt_tables tables = make_tables(program);
-    message[0] = '\0';
-    opterr = 0;
-    for (int returned; (returned = getopt_long(argc, argv, tables.short_options, tables.long_options, NULL)) != -1;) {
-        const command_option *option = find_option(program, returned);
-        if (option) {
-            if (!read_value(option, optarg, message, size)) return false;
-            continue;
-        }
-        if (returned == 'h' || returned == OPTION_HELP)
-            fputs(program->help, stdout);
-        else if (returned == OPTION_VERSION)
-            printf("%s %d.%d.%d\n", program->name, EW_VERSION_MAJOR, EW_VERSION_MINOR, EW_VERSION_PATCH);
-        else
-            refuse(returned, argv, program->name, message, size);
+    given_option given = {.argument = argument, .is_long = argument[1] == '-'};
+    given.name = argument + (given.is_long ? 2 : 1);
+    given.name_length = given.is_long ? strcspn(given.name, "=") : 1;
+    const char *rest = given.name + given.name_length;
+    if (*rest) given.value = given.is_long ? rest + 1 : rest;
+    return given;
+}
+
+static bool is_called(const given_option *given, const char *name, char letter)
+{
+    if (!given->is_long) return letter && given->name[0] == letter;
+    return strlen(name) == given->name_length && strncmp(name, given->name, given->name_length) == 0;
+}
+
+/* Returns whether the option asked for a text. */
+static bool print_text(const command_program *program, const given_option *given)
+{
+    if (given->value) return false;
+    if (is_called(given, "help", 'h'))
+        fputs(program->help, stdout);
+    else if (is_called(given, "version", 0))
+        printf("%s %d.%d.%d\n", program->name, EW_VERSION_MAJOR, EW_VERSION_MINOR, EW_VERSION_PATCH);
+    else
+        return false;
+    return true;
+}
+
+/* Reads one option. Its value is its own or else `next`, which may be NULL; `took_next` says if it was. */
+static bool read_option(const command_program *program, const given_option *given, const char *next, bool *took_next,
+                        char *message, size_t size)
+{
+    *took_next = false;
+    if (print_text(program, given)) return false;
+    for (size_t i = 0; i < program->option_count; i++) {
+        const command_option *option = &program->options[i];
+        if (!is_called(given, option->name, option->letter)) continue;
+        if (!option->read && !given->value) return *(bool *)option->target = true;
+        if (!option->read) break;
+        *took_next = !given->value;
+        const char *value = given->value ? given->value : next;
+        if (value) return read_value(option, value, message, size);
+        message_write(message, size, "%s: needs a value; see %s --help", given->argument, program->name);
         return false;
     }
+    if (given->is_long)
+        message_write(message, size, "%s: is not an option; see %s --help", given->argument, program->name);
+    else
+        message_write(message, size, "-%c: is not an option; see %s --help", given->name[0], program->name);
+    return false;
+}
+
+bool command_line_read(int *argc, char **argv, const command_program *program, char *message, size_t size)
+{
+    int count = 1;
+    bool may_be_options = true;
+    message[0] = '\0';
+    for (int i = 1; i < *argc; i++) {
+        if (may_be_options && strcmp(argv[i], "--") == 0) {
+            may_be_options = false;
+        } else if (may_be_options && argv[i][0] == '-' && argv[i][1]) {
+            const given_option given = take_apart(argv[i]);
+            bool took_next;
+            if (!read_option(program, &given, i + 1 < *argc ? argv[i + 1] : NULL, &took_next, message, size)) return false;
+            i += took_next;
+        } else {
+            argv[count++] = argv[i];
+        }
+    }
+    *argc = count;
     return true;
 }
 
 bool command_line_read_scene(int argc, char **argv, const char *verb, const char **scene, char *message, size_t size)
 {
-    if (optind < argc) *scene = argv[optind++];
-    if (optind == argc) return true;
-    message_write(message, size, "%s: is one scene too many; %s them one by one", argv[optind], verb);
+    if (argc > 1) *scene = argv[1];
+    if (argc <= 2) return true;
+    message_write(message, size, "%s: is one scene too many; %s them one by one", argv[2], verb);
     return false;
 }
 

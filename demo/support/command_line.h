@@ -21,14 +21,14 @@ typedef struct command_program {
     const char *name;
     const char *help; /* for --help, which every program has, as well as -h and --version */
     const command_option *options;
-    size_t option_count; /* at most 16 */
+    size_t option_count;
 } command_program;
 
-/* Reads the options, and leaves the index of the first argument after them in getopt's `optind`. Returns false with a message;
- * with an empty one where the options asked for a text, which has been printed. */
-bool command_line_read(int argc, char **argv, const command_program *program, char *message, size_t size);
+/* Reads the options, which may stand between the other arguments, and leaves only these in `argc` and `argv`. Returns false
+ * with a message; with an empty one where the options asked for a text, which has been printed. */
+bool command_line_read(int *argc, char **argv, const command_program *program, char *message, size_t size);
 
-/* Reads what is left after the options: one scene file, or none, which leaves `scene` alone. On failure returns false, with a
+/* Reads what the options left: one scene file, or none, which leaves `scene` alone. On failure returns false, with a
  * message that asks to `verb` the scenes one by one. */
 bool command_line_read_scene(int argc, char **argv, const char *verb, const char **scene, char *message, size_t size);
 
@@ -47,7 +47,13 @@ bool read_size(const char *text, int *width, int *height);
 bool read_text(const char *text, void *target);
 
 /* The name of a backend. `target` is a context_backend. */
+#ifdef _WIN32
+#define BACKEND_HELP "wgl or auto (default), which is WGL"
+#define BACKEND_REMEDY "must be auto or wgl"
+#else
+#define BACKEND_HELP "egl, osmesa or auto (default): EGL or else OSMesa"
 #define BACKEND_REMEDY "must be auto, egl or osmesa"
+#endif
 bool read_backend(const char *text, void *target);
 
 /* The name of an integrator. `target` is a render_settings, of which the size is left alone. */

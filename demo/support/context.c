@@ -3,7 +3,9 @@
 #include "context_backend.h"
 #include "message.h"
 
+#include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 struct gl_context {
     context_implementation implementation;
@@ -11,10 +13,19 @@ struct gl_context {
     char description[400];
 };
 
-const char *const context_backend_names[] = {"auto", "egl", "osmesa", NULL};
+typedef bool create_function(const context_desc *desc, void *share, context_implementation *implementation, char *message,
+                             size_t size);
 
-/* This thread's current context. Neither backend knows of the other: each would still report its own context as current after
- * the other has replaced it. */
+#ifdef _WIN32
+const char *const context_backend_names[] = {"auto", "wgl", NULL};
+static create_function *const create_functions[] = {NULL, context_create_wgl};
+#else
+const char *const context_backend_names[] = {"auto", "egl", "osmesa", NULL};
+static create_function *const create_functions[] = {NULL, context_create_egl, context_create_osmesa};
+#endif
+
+/* This thread's current context. No backend knows of another: each would still report its own context as current after another
+ * has replaced it. */
 static _Thread_local gl_context *current;
 
 static void release_current(void)
@@ -26,18 +37,14 @@ static void release_current(void)
 static bool create_implementation(const context_desc *desc, context_implementation *implementation, char *message, size_t size)
 {
     void *share = desc->share ? desc->share->implementation.state : NULL;
-    char egl[200], osmesa[200];
-    switch (desc->backend) {
-    case CONTEXT_EGL:
-        return context_create_egl(desc, share, implementation, message, size);
-    case CONTEXT_OSMESA:
-        return context_create_osmesa(desc, share, implementation, message, size);
-    case CONTEXT_AUTO:
-        break;
+    if (desc->backend != CONTEXT_AUTO) return create_functions[desc->backend](desc, share, implementation, message, size);
+    char reasons[400] = "", reason[200];
+    for (size_t i = 1; context_backend_names[i]; i++) {
+        if (create_functions[i](desc, NULL, implementation, reason, sizeof reason)) return true;
+        size_t length = strlen(reasons);
+        snprintf(reasons + length, sizeof reasons - length, "%s%s", length ? "; " : "", reason);
     }
-    if (context_create_egl(desc, NULL, implementation, egl, sizeof egl)) return true;
-    if (context_create_osmesa(desc, NULL, implementation, osmesa, sizeof osmesa)) return true;
-    message_write(message, size, "%s; %s", egl, osmesa);
+    message_write(message, size, "%s", reasons);
     return false;
 }
 
@@ -70,8 +77,6 @@ gl_context *context_create(context_backend backend, char *message, size_t size)
 {
     const context_desc desc = {.backend = backend, .major = 3, .minor = 3};
     char reason[400];
-    /* Mesa's EGL would add lines of its own to the one that says why there is no context. */
-    setenv("EGL_LOG_LEVEL", "fatal", 0);
     gl_context *context = context_create_described(&desc, reason, sizeof reason);
     if (context && load_functions(context, reason, sizeof reason)) return context;
     context_destroy(context);

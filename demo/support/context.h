@@ -1,6 +1,6 @@
 /*
- * GL contexts without a window on a display, behind one interface: EGL and, where it was found at build time, OSMesa.
- * Several may exist at once, of either kind.
+ * GL contexts without a visible window, behind one interface: EGL and, where it was found at build time, OSMesa; WGL on
+ * Windows. Several may exist at once, of any kind.
  */
 #ifndef CONTEXT_H
 #define CONTEXT_H
@@ -12,9 +12,13 @@
 #include <stddef.h>
 
 typedef enum context_backend {
-    CONTEXT_AUTO, /* EGL or else OSMesa */
+    CONTEXT_AUTO, /* the first of the others that works */
+#ifdef _WIN32
+    CONTEXT_WGL,
+#else
     CONTEXT_EGL,
     CONTEXT_OSMESA,
+#endif
 } context_backend;
 
 /* What users call the backends, in the order of the enumeration, up to a NULL. */

@@ -1,5 +1,5 @@
 /*
- * What a backend provides. Only context.c uses this; only context_egl.c and context_osmesa.c implement it.
+ * What a backend provides. Only context.c uses this; only context_egl.c, context_osmesa.c and context_wgl.c implement it.
  */
 #ifndef CONTEXT_BACKEND_H
 #define CONTEXT_BACKEND_H
@@ -21,5 +21,7 @@ bool context_create_egl(const context_desc *desc, void *share, context_implement
                         size_t size);
 bool context_create_osmesa(const context_desc *desc, void *share, context_implementation *implementation, char *message,
                            size_t size);
+bool context_create_wgl(const context_desc *desc, void *share, context_implementation *implementation, char *message,
+                        size_t size);
 
 #endif

@@ -161,6 +161,8 @@ static const char *create_on_best_display(const context_desc *desc, egl_state *s
 bool context_create_egl(const context_desc *desc, void *share, context_implementation *implementation, char *message,
                         size_t size)
 {
+    /* Mesa's EGL would add lines of its own to the one that says why there is no context. */
+    setenv("EGL_LOG_LEVEL", "fatal", 0);
     egl_state *state = calloc(1, sizeof *state), *shared = share;
     *implementation = (context_implementation){.name = "EGL, shared",
                                                .state = state,

@@ -1,5 +1,6 @@
 /* Pictures as files: see image.h. */
 #include "image.h"
+#include "files.h"
 #include "message.h"
 
 #define STB_IMAGE_WRITE_IMPLEMENTATION
@@ -12,11 +13,12 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 /* The largest number that RGBE can hold: its exponent is one byte. */
 static const float largest_rgbe = 1.69e38f;
+
+/* The largest number in the name of a temporary file. */
+static const int largest_temporary = 9999;
 
 image_format image_format_of(const char *path)
 {
@@ -102,39 +104,39 @@ static bool write_image(image_format format, const image_pixels *image, FILE *fi
 
 bool image_print_png(const image_pixels *image, char *message, size_t size)
 {
+    file_print_bytes();
     if (write_image(IMAGE_PNG, image, stdout)) return true;
     message_write(message, size, "-: standard output cannot be written (%s); lead it to where there is room", strerror(errno));
     return false;
 }
 
+/* Creates a file beside `path`, for which `name` has room, under the first name that is free. */
+static FILE *create_temporary(const char *path, char *name, size_t size)
+{
+    FILE *file = NULL;
+    errno = EEXIST;
+    for (int number = 0; !file && number <= largest_temporary && errno == EEXIST; number++) {
+        snprintf(name, size, "%s.%d.tmp", path, number);
+        file = file_create(name);
+    }
+    return file;
+}
+
 bool image_write(const char *path, const image_pixels *image, char *message, size_t size)
 {
-    size_t length = strlen(path);
-    char *temporary = malloc(length + sizeof ".XXXXXX");
-    int descriptor = -1;
+    size_t name_size = strlen(path) + sizeof ".9999.tmp";
+    char *temporary = malloc(name_size);
+    FILE *file = temporary ? create_temporary(path, temporary, name_size) : NULL;
     bool ok = false;
-    if (temporary) {
-        memcpy(temporary, path, length);
-        memcpy(temporary + length, ".XXXXXX", sizeof ".XXXXXX");
-        descriptor = mkstemp(temporary);
-    }
-    if (descriptor >= 0) {
-        /* mkstemp makes private files; give this one the permissions of any other new file. */
-        mode_t mask = umask(0);
-        umask(mask);
-        FILE *file = fchmod(descriptor, 0666 & ~mask) == 0 ? fdopen(descriptor, "wb") : NULL;
-        if (file) {
-            ok = write_image(image_format_of(path), image, file);
-            ok = fclose(file) == 0 && ok;
-        } else {
-            close(descriptor);
-        }
-        ok = ok && rename(temporary, path) == 0;
+    if (file) {
+        ok = write_image(image_format_of(path), image, file);
+        ok = fclose(file) == 0 && ok;
+        ok = ok && file_replace(temporary, path);
     }
     if (!ok) {
         message_write(message, size, "%s: cannot be written (%s); name a file in a folder that takes it", path,
                       strerror(errno));
-        if (descriptor >= 0) unlink(temporary);
+        if (file) remove(temporary);
     }
     free(temporary);
     return ok;

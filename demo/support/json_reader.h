@@ -8,6 +8,7 @@
 #define JSON_READER_H
 
 #include "memory_chain.h"
+#include "printf_format.h"
 
 #include <jansson.h>
 #include <stdbool.h>
@@ -39,7 +40,7 @@ typedef enum json_presence { REQUIRED, OPTIONAL } json_presence;
 typedef enum json_range { ANY, NOT_NEGATIVE, POSITIVE } json_range;
 
 /* Notes a fault at `at`, unless there is one already. */
-__attribute__((format(printf, 3, 4))) void reader_fail(json_reader *r, const json_place *at, const char *format, ...);
+PRINTF_FORMAT(3, 4) void reader_fail(json_reader *r, const json_place *at, const char *format, ...);
 
 /* What a value is, as in "must be a number, not an object". */
 const char *reader_type_text(const json_value *value);

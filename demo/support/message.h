@@ -4,9 +4,11 @@
 #ifndef MESSAGE_H
 #define MESSAGE_H
 
+#include "printf_format.h"
+
 #include <stddef.h>
 
 /* Writes a text as snprintf does, and replaces control characters by '?'. */
-__attribute__((format(printf, 3, 4))) void message_write(char *message, size_t size, const char *format, ...);
+PRINTF_FORMAT(3, 4) void message_write(char *message, size_t size, const char *format, ...);
 
 #endif

@@ -157,7 +157,7 @@ static void read_curve(json_reader *r, const json_value *source, void *result)
     if (bezier) {
         double control_points[3][3] = {{0}};
         reader_matrix_member(r, source, "control_points", control_points);
-        ew_bezier_polynomial(control_points, curve->polynomial);
+        ew_bezier_polynomial(control_points[0], control_points[1], control_points[2], curve->polynomial);
     } else if (polynomial) {
         reader_matrix_member(r, source, "polynomial", curve->polynomial);
     }

@@ -2,13 +2,10 @@
 #ifndef EW_ERROR_H
 #define EW_ERROR_H
 
+#include "base/printf_format.h"
 #include "energywave.h"
 
-#if defined(__GNUC__)
-__attribute__((format(printf, 3, 4)))
-#endif
 /* Writes `code` and the text to `error` (which may be NULL) and returns `code`. */
-ew_result
-ew_fail(ew_error *error, ew_result code, const char *format, ...);
+EW_PRINTF(3, 4) ew_result ew_fail(ew_error *error, ew_result code, const char *format, ...);
 
 #endif

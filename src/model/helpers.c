@@ -3,13 +3,12 @@
 
 #include <math.h>
 
-void ew_bezier_polynomial(double control_points[3][3], double polynomial[3][3])
+void ew_bezier_polynomial(const double start[3], const double middle[3], const double end[3], double polynomial[3][3])
 {
     for (int i = 0; i < 3; ++i) {
-        double b0 = control_points[0][i], b1 = control_points[1][i], b2 = control_points[2][i];
-        polynomial[0][i] = b0;
-        polynomial[1][i] = 2 * (b1 - b0);
-        polynomial[2][i] = (b2 - b1) - (b1 - b0);
+        polynomial[0][i] = start[i];
+        polynomial[1][i] = 2 * (middle[i] - start[i]);
+        polynomial[2][i] = (end[i] - middle[i]) - (middle[i] - start[i]);
     }
 }
 

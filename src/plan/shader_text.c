@@ -1,6 +1,7 @@
 /* The text of shaders: see shader_text.h. glsl/README.md tells the files' order and what each needs. */
 #include "plan/shader_text.h"
 
+#include "base/printf_format.h"
 #include "glsl_text.h"
 
 #include <stdarg.h>
@@ -15,12 +16,8 @@ static void add(ew_shader_text *text, const char *string)
     text->ends_in_made = false;
 }
 
-#if defined(__GNUC__)
-__attribute__((format(printf, 2, 3)))
-#endif
 /* Adds to the last string if that is made, too. */
-static void
-add_made(ew_shader_text *text, const char *format, ...)
+EW_PRINTF(2, 3) static void add_made(ew_shader_text *text, const char *format, ...)
 {
     if (!text->ends_in_made) {
         add(text, text->made + text->made_used);

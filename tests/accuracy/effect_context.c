@@ -9,7 +9,6 @@ int effect_context_create(const char *name, effect_context *made)
     char message[400];
     ew_error error;
     /* Mesa's EGL would add lines of its own to the one that says why there is no context. */
-    setenv("EGL_LOG_LEVEL", "fatal", 0);
     made->context = context_create(CONTEXT_EGL, message, sizeof message);
     if (!made->context) {
         printf("SKIPPED: %s\n", message);

@@ -100,7 +100,7 @@ static bool read_pixels(const char *text, void *target)
 }
 
 /* Returns false with a message, or with an empty one where the options asked for a text that has been printed. */
-static bool read_options(int argc, char **argv, command_line *options, char *message, size_t size)
+static bool read_options(int *argc, char **argv, command_line *options, char *message, size_t size)
 {
     bool full = false;
     const command_option table[] = {
@@ -121,7 +121,7 @@ static bool read_options(int argc, char **argv, command_line *options, char *mes
         options->pixels = 0;
         options->pixels_given = true;
     }
-    if (optind < argc) return true;
+    if (*argc > 1) return true;
     snprintf(message, size, "SCENE.json: is missing; name a scene file");
     return false;
 }
@@ -268,7 +268,7 @@ int main(int argc, char **argv)
     command_line options = {.integrator_count = 1, .width = 512, .height = 512};
     char message[600];
     named_integrator_find("adaptive:1e-3", &options.integrators[0]);
-    if (!read_options(argc, argv, &options, message, sizeof message)) {
+    if (!read_options(&argc, argv, &options, message, sizeof message)) {
         if (message[0] == '\0') return EXIT_SUCCESS;
         fprintf(stderr, "ew-accuracy: %s\n", message);
         return EXIT_BAD_INPUT;
@@ -279,10 +279,10 @@ int main(int argc, char **argv)
         return EXIT_NO_CONTEXT;
     }
     puts(context_description(context));
-    accuracy_results results = {.lines = malloc((size_t)(argc - optind) * options.integrator_count * sizeof *results.lines)};
+    accuracy_results results = {.lines = malloc((size_t)(argc - 1) * options.integrator_count * sizeof *results.lines)};
     bool bad_input = !results.lines;
     if (bad_input) fprintf(stderr, "ew-accuracy: memory is exhausted\n");
-    for (int i = optind; results.lines && i < argc; i++)
+    for (int i = 1; results.lines && i < argc; i++)
         if (!compare_scene(&options, context, argv[i], &results, message, sizeof message)) {
             fprintf(stderr, "ew-accuracy: %s\n", message);
             bad_input = true;

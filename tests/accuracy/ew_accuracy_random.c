@@ -10,7 +10,6 @@
 #include "random_scene.h"
 #include "random_truth.h"
 
-#include <getopt.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -97,9 +96,9 @@ static bool read_options(int argc, char **argv, command_line *options, char *mes
         {"check", 0, NULL, &options->check, NULL},
     };
     const command_program program = {"ew-accuracy-random", help, table, sizeof table / sizeof *table};
-    if (!command_line_read(argc, argv, &program, message, size)) return false;
-    if (optind == argc) return true;
-    snprintf(message, size, "%s: is not an option; see ew-accuracy-random --help", argv[optind]);
+    if (!command_line_read(&argc, argv, &program, message, size)) return false;
+    if (argc == 1) return true;
+    snprintf(message, size, "%s: is not an option; see ew-accuracy-random --help", argv[1]);
     return false;
 }
 

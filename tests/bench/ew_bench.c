@@ -95,9 +95,9 @@ static bool read_options(int argc, char **argv, command_line *options, char *mes
         {"backend", 0, read_backend, &options->backend, BACKEND_REMEDY},
     };
     const command_program program = {"ew-bench", help, table, sizeof table / sizeof *table};
-    if (!command_line_read(argc, argv, &program, message, size)) return false;
-    options->scenes = argv + optind;
-    options->scene_count = (size_t)(argc - optind);
+    if (!command_line_read(&argc, argv, &program, message, size)) return false;
+    options->scenes = argv + 1;
+    options->scene_count = (size_t)(argc - 1);
     if (!options->name || options->report) return true;
     message_write(message, size, "--name: names a report, but none is asked for; add --report FOLDER");
     return false;

@@ -7,6 +7,13 @@
 
 #include <GL/gl.h>
 
+#ifndef GL_DEPTH_BOUNDS_TEST_EXT /* Windows' GL/gl.h is that of OpenGL 1.1. */
+#define GL_CLIENT_ACTIVE_TEXTURE 0x84E1
+#define GL_DEPTH_BOUNDS_TEST_EXT 0x8890
+#define GL_MAX_TEXTURE_UNITS 0x84E2
+#define GL_RESCALE_NORMAL 0x803A
+#endif
+
 #define GL_CLAMP_VERTEX_COLOR 0x891A
 #define GL_CLAMP_FRAGMENT_COLOR 0x891B
 #define GL_COLOR_SUM 0x8458

@@ -17,6 +17,11 @@ bool describe_context(const char *name, context_desc *desc)
         const char *name;
         context_desc desc;
     } kinds[] = {
+#ifdef _WIN32
+        {"gl33", {.backend = CONTEXT_WGL, .major = 3, .minor = 3}},
+        {"gl45", {.backend = CONTEXT_WGL, .major = 4, .minor = 5}},
+        {"gl45_compatibility", {.backend = CONTEXT_WGL, .major = 4, .minor = 5, .compatibility = true}},
+#else
         {"gl33", {.backend = CONTEXT_EGL, .major = 3, .minor = 3}},
         {"gl45", {.backend = CONTEXT_EGL, .major = 4, .minor = 5}},
         {"gl45_compatibility", {.backend = CONTEXT_EGL, .major = 4, .minor = 5, .compatibility = true}},
@@ -26,6 +31,7 @@ bool describe_context(const char *name, context_desc *desc)
         {"osmesa33", {.backend = CONTEXT_OSMESA, .major = 3, .minor = 3, .window_width = 48, .window_height = 36}},
         {"osmesa45_compatibility",
          {.backend = CONTEXT_OSMESA, .major = 4, .minor = 5, .compatibility = true, .window_width = 48, .window_height = 36}},
+#endif
     };
     for (size_t i = 0; name && i < sizeof kinds / sizeof kinds[0]; i++) {
         if (strcmp(name, kinds[i].name) != 0) continue;

@@ -21,6 +21,7 @@ table='
 ^src/                              ^(demo|tests|web)/                     the library does not know its users
 ^demo/                             ^src/.*/|^src/effect                   the demo is a host like any other
 ^demo/                             ^(tests|web)/                          the demo does not need the tests
+^demo/examples/                    ^demo/(support|ew_)                    an example is a whole program
 ^demo/(.*/)?scene[.][ch]$          scene_file|^<jansson                   a scene is no file
 ^web/                              ^src/.*/|^src/effect                   the page is a host like any other
 ^tests/bench/                      ^src/plan/glsl_text                    the library assembles what the bench measures

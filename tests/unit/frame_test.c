@@ -34,6 +34,33 @@ static void expect_taken(const ew_frame_desc *frame)
     if (plan_for_nothing(frame, &error) != EW_OK) fail_msg("refused: %s", error.text);
 }
 
+/* EW_FRAME_DEFAULTS goes by position: one member too few or in another place shows here. */
+static void the_defaults_are_those_of_their_members(void **state)
+{
+    (void)state;
+    const ew_frame_desc frame = EW_FRAME_DEFAULTS;
+    const double forward_at_a_tenth[16] = {[0] = 1, [5] = 1, [10] = -1, [11] = -1, [14] = -0.2};
+    for (int i = 0; i < 16; ++i) {
+        assert_true(frame.view[i] == (i % 5 == 0));
+        assert_true(frame.projection[i] == forward_at_a_tenth[i]);
+    }
+    assert_int_equal(frame.clip_depth, EW_CLIP_DEPTH_NEGATIVE_ONE_TO_ONE);
+    assert_true(frame.interval_start == 0 && frame.interval_end == 0);
+    assert_true(frame.decay_alpha == 1 && frame.decay_beta == 1 && frame.exposure == 1);
+    assert_true(frame.core_pixels == EW_CORE_PIXELS_DEFAULT);
+    assert_int_equal(frame.integrator, EW_INTEGRATOR_ADAPTIVE);
+    assert_int_equal(frame.quality, EW_QUALITY_ERROR_1E_3);
+    assert_int_equal(frame.simpson_divisions, 200);
+    assert_int_equal(frame.resolution, EW_RESOLUTION_ADAPTIVE);
+    assert_int_equal(frame.output, EW_OUTPUT_SOFT);
+    assert_true(frame.framebuffer == 0 && frame.viewport_x == 0 && frame.viewport_y == 0);
+    assert_true(frame.viewport_width == 0 && frame.viewport_height == 0);
+    assert_int_equal(frame.encoding, EW_ENCODING_LINEAR_8BIT);
+    assert_int_equal(frame.depth_source, EW_DEPTH_TEXTURE);
+    assert_true(frame.dither == 1 && frame.depth_texture == 0);
+    assert_true(frame.keep_stencil_test == 0 && frame.skip_restore == 0);
+}
+
 static void the_defaults_need_only_a_viewport(void **state)
 {
     (void)state;
@@ -419,6 +446,7 @@ static void a_viewport_without_pixels_is_refused(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(the_defaults_are_those_of_their_members),
         cmocka_unit_test(the_defaults_need_only_a_viewport),
         cmocka_unit_test(the_defaults_suit_a_window_of_8_bits),
         cmocka_unit_test(every_number_that_is_not_finite_is_refused_by_name),

@@ -6,9 +6,9 @@ static const double pi = 3.14159265358979323846;
 static void a_bezier_polynomial_is_the_curve_of_de_casteljau(void **state)
 {
     (void)state;
-    double control_points[3][3] = {{1, -2, 3}, {4.5, 0, -7}, {-1, 8, 0.25}};
+    const double control_points[3][3] = {{1, -2, 3}, {4.5, 0, -7}, {-1, 8, 0.25}};
     double polynomial[3][3];
-    ew_bezier_polynomial(control_points, polynomial);
+    ew_bezier_polynomial(control_points[0], control_points[1], control_points[2], polynomial);
     for (int step = 0; step <= 10; ++step) {
         double t = step / 10.0;
         for (int i = 0; i < 3; ++i) {
@@ -25,7 +25,7 @@ static void control_points_at_even_distances_make_a_straight_polynomial(void **s
     (void)state;
     double control_points[3][3] = {{100000.1, 0.5, 7}, {100000.2, 0.5, 8}, {100000.3, 0.5, 9}};
     double polynomial[3][3];
-    ew_bezier_polynomial(control_points, polynomial);
+    ew_bezier_polynomial(control_points[0], control_points[1], control_points[2], polynomial);
     check_close(polynomial[2][0], 0, 1e-10); /* what doubles at 1e5 leave */
     assert_true(polynomial[2][1] == 0 && polynomial[2][2] == 0);
 }

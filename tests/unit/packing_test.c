@@ -279,7 +279,7 @@ static void arcs_come_to_ray_space_whatever_their_shape(void **state)
             random_vector(eye);
             ew_frame_desc frame = random_frame(eye);
             ew_curve curve = {.domain = {domains[j][0], domains[j][1]}, .coefficient = 4, .color = {0.1, 0.2, 0.3}};
-            ew_bezier_polynomial(shapes[i], curve.polynomial);
+            ew_bezier_polynomial(shapes[i][0], shapes[i][1], shapes[i][2], curve.polynomial);
             ew_sources_desc desc = {.curves = &curve, .curve_count = 1, .epsilon = 1e-3};
             ew_plan plan;
             ew_sources sources = pack(&desc, &frame, &plan);
@@ -301,8 +301,8 @@ static void an_arch_has_its_origin_at_the_vertex_and_a_straight_arc_on_itself(vo
     (void)state;
     double arch[3][3] = {{-1, 0, 0}, {0, 2, 0}, {1, 0, 0}}, straight[3][3] = {{-1, 0, 0}, {0, 1e-9, 0}, {1.1, 0, 0}};
     ew_curve curves[2] = {{.domain = {0, 1}, .coefficient = 1}, {.domain = {0, 1}, .coefficient = 1}};
-    ew_bezier_polynomial(arch, curves[0].polynomial);
-    ew_bezier_polynomial(straight, curves[1].polynomial);
+    ew_bezier_polynomial(arch[0], arch[1], arch[2], curves[0].polynomial);
+    ew_bezier_polynomial(straight[0], straight[1], straight[2], curves[1].polynomial);
     const double eye[3] = {0, 0, 3}, vertex[3] = {0, 1, 0};
     ew_frame_desc frame = random_frame(eye);
     ew_sources_desc desc = {.curves = curves, .curve_count = 2, .epsilon = 1e-3};

@@ -23,7 +23,7 @@ static const char fragment_shader[] =
 static void check(int ok, const char *what)
 {
     if (ok) return;
-    fprintf(stderr, "minimal: %s\n", what);
+    fprintf(stderr, "glfw: %s\n", what);
     exit(1);
 }
 

@@ -1,6 +1,6 @@
-/* A video of frames: see video.h. */
-#include "video.h"
+/* A video of frames, on Unix: see video.h. */
 #include "message.h"
+#include "video.h"
 
 #include <errno.h>
 #include <signal.h>
