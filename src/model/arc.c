@@ -41,6 +41,21 @@ static double choose_origin(const ew_arc *arc, bool *at_vertex)
     return fabs(vertex - 1) < 1e-9 ? 1 : vertex;
 }
 
+/* The polynomial's polar form, B(s, t) = C0 + (s + t) / 2 C1 + s t C2, has the control points of all parts: B(a, a), B(a, b)
+ * and B(b, b) are those of the part from a to b. */
+ew_hull ew_hull_of_arc(const double polynomial[3][3], const double domain[2])
+{
+    const double first = domain[0], last = domain[1], middle = 0.5 * first + 0.5 * last;
+    const double parameters[4][2] = {{first, first}, {first, middle}, {middle, last}, {last, last}};
+    ew_hull hull = {.corner_count = 4};
+    for (int corner = 0; corner < 4; ++corner) {
+        double s = parameters[corner][0], t = parameters[corner][1];
+        for (int i = 0; i < 3; ++i)
+            hull.corners[corner][i] = polynomial[0][i] + 0.5 * (s + t) * polynomial[1][i] + s * t * polynomial[2][i];
+    }
+    return hull;
+}
+
 ew_result ew_check_arc(const ew_arc *arc, const ew_source_name *name, ew_error *error)
 {
     ew_result result = ew_check_coordinates(name, arc->start, error);

@@ -35,6 +35,15 @@ typedef struct ew_ball {
     double radius; /* HUGE_VAL: the source has no end */
 } ew_ball;
 
+enum { EW_MAX_HULL_CORNERS = 8 };
+
+/* A convex polygon around a source, or around a piece of one; of a source that has no end, a line. */
+typedef struct ew_hull {
+    double corners[EW_MAX_HULL_CORNERS][3]; /* in order, in the world */
+    size_t corner_count;
+    double direction[3]; /* unit, of a line through the only corner; else 0 */
+} ew_hull;
+
 /* A source's weights along its length, as the uniform block has them; pieces is 0 for a source without. */
 typedef struct ew_weight_range {
     size_t first_piece;
@@ -71,6 +80,8 @@ typedef struct ew_chain_kind {
     void (*make)(const void *source, double core, void *pieces);
     size_t (*piece_units)(const void *source, const void *pieces, size_t count);
     size_t (*most_piece_units)(const void *source);
+    /* As `hull` of a kind, of one piece. */
+    ew_hull (*hull)(const void *piece);
     const char *const *bend_files; /* of GLSL, before the kind's own, if the shader knows bent pieces; up to a NULL */
     const char *const *sampled_bend_files;
     /* Completes the source's block and packs its pieces into `units`. */
@@ -94,6 +105,8 @@ typedef struct ew_kind {
     ew_result (*check)(const void *source, const ew_source_name *name, ew_error *error);
     /* The smallest ball that is easily found. */
     ew_ball (*bound)(const void *source);
+    /* What the light's silhouette is found from. NULL for a chain, whose pieces have hulls. */
+    ew_hull (*hull)(const void *source);
     /* NULL for a kind that has no weights. */
     ew_weight_list (*weights)(const void *source);
     /* Brings a checked source to ray space, in double precision until the last step, and fills all of its block but `color` and

@@ -83,6 +83,12 @@ static size_t most_piece_units(const void *source)
     return (path->kind == EW_PATH_POLYLINE ? sizeof(struct ew_straight_block) : sizeof(struct ew_bent_block)) / sizeof(ew_vec4);
 }
 
+static ew_hull hull(const void *piece)
+{
+    const double whole[2] = {0, 1};
+    return ew_hull_of_arc(((const ew_path_piece *)piece)->curve.polynomial, whole);
+}
+
 static ew_result pack_straight(const ew_path_piece *piece, const ew_source_name *name, const ew_ray_space *space,
                                struct ew_straight_block *block, ew_error *error)
 {
@@ -164,6 +170,7 @@ static const ew_chain_kind chain = {.most_piece_units = most_piece_units,
                                     .piece_size = sizeof(ew_path_piece),
                                     .count = count,
                                     .make = make,
+                                    .hull = hull,
                                     .piece_units = piece_units,
                                     .pack = pack_pieces};
 
