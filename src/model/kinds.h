@@ -6,6 +6,7 @@
 #define EW_KINDS_H
 
 #include "model/layout.h"
+#include "model/limits.h"
 #include "model/ray_space.h"
 
 #include "energywave.h"
@@ -142,9 +143,15 @@ typedef struct ew_kind {
 extern const ew_kind *const ew_kinds[EW_KIND_COUNT];
 
 /* The units (vec4) that a source of the kind takes, without weights. `has_glow`: the block's last member is there. */
-size_t ew_kind_units(const ew_kind *kind, bool has_glow);
+static inline size_t ew_kind_units(const ew_kind *kind, bool has_glow)
+{
+    return kind->block_size / sizeof(ew_vec4) - (has_glow ? 0 : 1);
+}
 
-const ew_emission *ew_source_emission(const ew_kind *kind, const void *source);
+static inline const ew_emission *ew_source_emission(const ew_kind *kind, const void *source)
+{
+    return (const ew_emission *)((const char *)source + kind->emission_offset);
+}
 
 /* ---- For the rows: each refuses with a text that names the field ---- */
 
@@ -153,7 +160,13 @@ ew_result ew_check_vector(const ew_source_name *name, const char *field, const d
 /* Finite, and not zero. */
 ew_result ew_check_direction(const ew_source_name *name, const char *field, const double v[3], ew_error *error);
 
+ew_result ew_refuse_coordinates(const ew_source_name *name, ew_error *error);
+
 /* Coordinates in ray space. */
-ew_result ew_check_coordinates(const ew_source_name *name, const double v[3], ew_error *error);
+static inline ew_result ew_check_coordinates(const ew_source_name *name, const double v[3], ew_error *error)
+{
+    bool is_near = fabs(v[0]) <= EW_MAX_COORDINATE && fabs(v[1]) <= EW_MAX_COORDINATE && fabs(v[2]) <= EW_MAX_COORDINATE;
+    return is_near ? EW_OK : ew_refuse_coordinates(name, error);
+}
 
 #endif

@@ -258,11 +258,13 @@ static ew_result make_shapes(const ew_sources_desc *desc, ew_sources *sources, e
         const ew_kind *kind = ew_kinds[k];
         for (size_t i = 0; i < sources->counts[k]; ++i, ++lit) {
             const char *source = (const char *)sources->lists[k] + i * kind->size;
-            *lit = (ew_lit_source){kind, source, i, NULL, kind->bound(source), ew_source_emission(kind, source)->reach};
+            const ew_emission *emission = ew_source_emission(kind, source);
+            *lit = (ew_lit_source){kind, source, i, NULL, kind->bound(source), emission->reach};
+            sources->has_sharpness = sources->has_sharpness || emission->sharpness > 1;
             if (!kind->chain) continue;
             lit->pieces = range;
             const ew_source_name name = {kind->list_name, i};
-            double core = core_of(ew_source_emission(kind, source), desc->epsilon);
+            double core = core_of(emission, desc->epsilon);
             *range = (ew_piece_range){.first_unit = unit, .ball = lit->ball};
             ew_result result = kind->chain->count(source, core, &name, &range->piece_count, error);
             if (result != EW_OK) return result;
@@ -313,16 +315,11 @@ ew_mix ew_sources_mix(const ew_sources *sources)
 {
     ew_mix mix = {.has_weights = sources->weight_piece_count > 0,
                   .has_reach = sources->has_glow,
+                  .has_sharpness = sources->has_sharpness,
                   .has_joints = sources->has_joints,
                   .has_bends = sources->has_bends};
-    for (int k = 0; k < EW_KIND_COUNT; ++k) {
-        const ew_kind *kind = ew_kinds[k];
-        memcpy((char *)&mix + kind->mix_offset, &sources->counts[k], sizeof sources->counts[k]);
-        for (size_t i = 0; i < sources->counts[k]; ++i) {
-            const ew_emission *emission = ew_source_emission(kind, (const char *)sources->lists[k] + i * kind->size);
-            if (emission->sharpness > 1) mix.has_sharpness = 1;
-        }
-    }
+    for (int k = 0; k < EW_KIND_COUNT; ++k)
+        memcpy((char *)&mix + ew_kinds[k]->mix_offset, &sources->counts[k], sizeof sources->counts[k]);
     return mix;
 }
 
@@ -343,7 +340,6 @@ static ew_result pack_emission(const ew_emission *emission, const ew_source_name
                                const ew_sources *sources, ew_vec4 *color_and_glow, ew_error *error)
 {
     double core = core_of(emission, sources->epsilon), core_in_space = core / packing->space.length;
-    double reach = emission->reach / packing->space.length;
     double scaled = coefficient_of(emission, core) * packing->coefficient_scale;
     if (!(scaled <= EW_MAX_COEFFICIENT))
         return ew_fail(error, EW_ERROR_INVALID_ARGUMENT,
@@ -354,10 +350,13 @@ static ew_result pack_emission(const ew_emission *emission, const ew_source_name
                        emission->core > 0 ? "core" : "epsilon", name->list, name->index, packing->least_core,
                        EW_MAX_COORDINATE);
     double color[3];
-    for (int i = 0; i < 3; ++i)
-        color[i] = fmin(emission->color[i] * packing->exposure, EW_MAX_COLOR);
+    for (int i = 0; i < 3; ++i) {
+        double exposed = emission->color[i] * packing->exposure;
+        color[i] = exposed > EW_MAX_COLOR ? EW_MAX_COLOR : exposed;
+    }
     color_and_glow[0] = ew_pack(color, scaled);
     if (!sources->has_glow) return EW_OK;
+    double reach = emission->reach / packing->space.length;
     const double glow[3] = {core_in_space, fmin(reach, EW_MAX_COORDINATE), emission->sharpness};
     color_and_glow[1] = ew_pack(glow, brightness_of(emission, core));
     return EW_OK;

@@ -25,6 +25,7 @@ typedef struct ew_sources {
     size_t memory_size;
     double epsilon;
     bool has_glow; /* the blocks have their last member */
+    bool has_sharpness;
     size_t counts[EW_KIND_COUNT];
     void *lists[EW_KIND_COUNT]; /* copies of the host's */
     ew_lit_source *lit;         /* all sources, kind after kind */
