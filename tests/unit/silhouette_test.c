@@ -11,7 +11,7 @@ enum { SIZE = 1000, SCENES = 60, PLACES = 20000 };
 static ew_bounds bounds_of(const ew_sources_desc *desc, const ew_frame_desc *frame)
 {
     ew_sources sources = {0};
-    ew_bounds bounds;
+    ew_bounds bounds = {0};
     ew_error error = {EW_OK, ""};
     if (ew_sources_set(&sources, desc, EW_MAX_SOURCE_UNITS, &ew_default_allocator, &error) != EW_OK ||
         ew_plan_bounds(&sources, frame, &bounds, &error) != EW_OK)
