@@ -120,7 +120,8 @@ float ew_integrate_weighted_part(ew_segment segment, ew_slab slab, vec2 part, ve
     do {
         float stop = side < 0.0 ? part.x : part.y;
         float away = abs(from - s0);
-        float size = away < half_core ? half_core - away : max(away, half_peak);
+        // A panel up to the core's edge may end before it, by rounding. The next one then goes on beyond.
+        float size = away < 0.999 * half_core ? half_core - away : max(away, half_peak);
         size = min(size, 0.5 * (from + ew_beta()));
         float to = side < 0.0 ? max(from - size, stop) : min(from + size, stop);
         vec4 s = from + (to - from) * EW_PATH_NODES;
