@@ -116,6 +116,8 @@ typedef struct ew_kind {
                       void *block, ew_error *error);
     const ew_chain_kind *chain; /* of a kind whose sources are chains of pieces; else NULL */
 
+    /* The GLSL file of what all integrators need; NULL for a kind that has only one file. */
+    const char *chord_file;
     /* GLSL files, in order: for the adaptive integrator, and for those that only sample the field. */
     const char *adaptive_files[EW_KIND_MAX_FILES];
     const char *sampling_files[EW_KIND_MAX_FILES];

@@ -159,9 +159,9 @@ static ew_result pack_pieces(const ew_source_name *name, const ew_ray_space *spa
     return result;
 }
 
-static const char *const bend_files[] = {ew_glsl_arc_glsl,         ew_glsl_passage_glsl, ew_glsl_cell_glsl,
-                                         ew_glsl_stretch_glsl,     ew_glsl_rest_glsl,    ew_glsl_knot_glsl,
-                                         ew_glsl_rest_panels_glsl, ew_glsl_curve_glsl,   NULL};
+static const char *const bend_files[] = {
+    ew_glsl_curve_chord_glsl, ew_glsl_arc_glsl,  ew_glsl_passage_glsl,     ew_glsl_cell_glsl,  ew_glsl_stretch_glsl,
+    ew_glsl_rest_glsl,        ew_glsl_knot_glsl, ew_glsl_rest_panels_glsl, ew_glsl_curve_glsl, NULL};
 static const char *const sampled_bend_files[] = {ew_glsl_curve_distance_glsl, NULL};
 
 static const ew_chain_kind chain = {.most_piece_units = most_piece_units,
@@ -179,6 +179,7 @@ const ew_kind ew_path_kind_row = {
     EW_KIND_NAMES(path, PATH, paths),
     .check = check,
     .bound = bound,
+    .chord_file = ew_glsl_path_chord_glsl,
     .weights = weights_of,
     .pack = pack,
     .chain = &chain,

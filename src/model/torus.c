@@ -61,6 +61,7 @@ const ew_kind ew_torus_kind = {
     EW_KIND_NAMES(torus, TORUS, tori),
     .check = check,
     .bound = bound,
+    .chord_file = ew_glsl_torus_chord_glsl,
     .hull = hull,
     .pack = pack,
     .adaptive_files = {ew_glsl_torus_side_glsl, ew_glsl_torus_core_glsl, ew_glsl_torus_panel_glsl, ew_glsl_torus_glsl},
