@@ -534,7 +534,7 @@ typedef struct ew_bounds {
  *
  * frame:  as ew_draw would take it.
  * bounds: receives the bounds; unchanged on failure.
- * Errors: INVALID_ARGUMENT.
+ * Errors: INVALID_ARGUMENT, as ew_draw would; but it is not checked whether sources are too far away.
  * GL:     the context must be current: its clip origin is asked for. Changes nothing. */
 EW_API ew_result ew_get_bounds(ew_effect *effect, const ew_frame_desc *frame, ew_bounds *bounds, ew_error *error);
 

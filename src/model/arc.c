@@ -41,6 +41,21 @@ static double choose_origin(const ew_arc *arc, bool *at_vertex)
     return fabs(vertex - 1) < 1e-9 ? 1 : vertex;
 }
 
+/* The polynomial's polar form, B(s, t) = C0 + (s + t) / 2 C1 + s t C2, has the control points of all parts: B(a, a), B(a, b)
+ * and B(b, b) are those of the part from a to b. */
+ew_hull ew_hull_of_arc(const double polynomial[3][3], const double domain[2])
+{
+    const double first = domain[0], last = domain[1], middle = 0.5 * first + 0.5 * last;
+    const double parameters[4][2] = {{first, first}, {first, middle}, {middle, last}, {last, last}};
+    ew_hull hull = {.corner_count = 4};
+    for (int corner = 0; corner < 4; ++corner) {
+        double s = parameters[corner][0], t = parameters[corner][1];
+        for (int i = 0; i < 3; ++i)
+            hull.corners[corner][i] = polynomial[0][i] + 0.5 * (s + t) * polynomial[1][i] + s * t * polynomial[2][i];
+    }
+    return hull;
+}
+
 ew_result ew_check_arc(const ew_arc *arc, const ew_source_name *name, ew_error *error)
 {
     ew_result result = ew_check_coordinates(name, arc->start, error);
@@ -57,23 +72,24 @@ ew_arc_frame ew_find_arc_frame(const ew_arc *arc)
         origin[i] = arc->start[i] + tau * (arc->tangent[i] + tau * arc->bend[i]);
         tangent[i] = arc->tangent[i] + 2 * tau * arc->bend[i];
     }
-    double unit_tangent[3] = {1, 0, 0};
-    ew_normalize(tangent, unit_tangent);
-    if (!ew_normalize(arc->bend, axis_y)) ew_perpendicular(unit_tangent, axis_y);
+    if (!ew_normalize(arc->bend, axis_y)) {
+        double unit_tangent[3] = {1, 0, 0};
+        ew_normalize(tangent, unit_tangent);
+        ew_perpendicular(unit_tangent, axis_y);
+    }
     double slope_y = at_vertex ? 0 : ew_dot(tangent, axis_y);
     double rest[3];
     for (int i = 0; i < 3; ++i)
         rest[i] = tangent[i] - ew_dot(tangent, axis_y) * axis_y[i];
     double slope_x = sqrt(ew_dot(rest, rest));
     /* Of a tangent along the bend only rounding errors are left, and they have no direction. */
-    double length = sqrt(ew_dot(arc->tangent, arc->tangent)) + sqrt(ew_dot(arc->bend, arc->bend));
+    double bend = sqrt(ew_dot(arc->bend, arc->bend)), length = sqrt(ew_dot(arc->tangent, arc->tangent)) + bend;
     if (slope_x <= 1e-12 * length || !ew_normalize(rest, axis_x)) {
         slope_x = 0;
         ew_perpendicular(axis_y, axis_x);
     }
     ew_cross(axis_x, axis_y, axis_z);
-    ew_arc_frame frame = {
-        .slope_x = slope_x, .slope_y = slope_y, .bend = sqrt(ew_dot(arc->bend, arc->bend)), .first = -tau, .last = 1 - tau};
+    ew_arc_frame frame = {.slope_x = slope_x, .slope_y = slope_y, .bend = bend, .first = -tau, .last = 1 - tau};
     memcpy(frame.origin, origin, sizeof origin);
     memcpy(frame.axis_x, axis_x, sizeof axis_x);
     memcpy(frame.axis_y, axis_y, sizeof axis_y);

@@ -44,6 +44,12 @@ static ew_ball bound(const void *source)
     return ball;
 }
 
+static ew_hull hull(const void *source)
+{
+    const ew_curve *curve = source;
+    return ew_hull_of_arc(curve->polynomial, curve->domain);
+}
+
 static ew_result pack(const void *source, const ew_source_name *name, const ew_ray_space *space, const ew_weight_range *weights,
                       void *block, ew_error *error)
 {
@@ -70,6 +76,8 @@ const ew_kind ew_curve_kind = {
     EW_KIND_NAMES(curve, CURVE, curves),
     .check = check,
     .bound = bound,
+    .chord_file = ew_glsl_curve_chord_glsl,
+    .hull = hull,
     .weights = weights_of,
     .pack = pack,
     .adaptive_files = {ew_glsl_arc_glsl, ew_glsl_passage_glsl, ew_glsl_cell_glsl, ew_glsl_stretch_glsl, ew_glsl_rest_glsl,

@@ -10,16 +10,6 @@ extern const ew_kind ew_point_kind, ew_line_kind, ew_torus_kind, ew_curve_kind, 
 const ew_kind *const ew_kinds[EW_KIND_COUNT] = {&ew_point_kind, &ew_line_kind, &ew_torus_kind, &ew_curve_kind,
                                                 &ew_path_kind_row};
 
-size_t ew_kind_units(const ew_kind *kind, bool has_glow)
-{
-    return kind->block_size / sizeof(ew_vec4) - (has_glow ? 0 : 1);
-}
-
-const ew_emission *ew_source_emission(const ew_kind *kind, const void *source)
-{
-    return (const ew_emission *)((const char *)source + kind->emission_offset);
-}
-
 ew_result ew_check_vector(const ew_source_name *name, const char *field, const double v[3], ew_error *error)
 {
     if (ew_all_finite(v, 3)) return EW_OK;
@@ -34,12 +24,9 @@ ew_result ew_check_direction(const ew_source_name *name, const char *field, cons
     return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "%s[%zu].%s must not be zero", name->list, name->index, field);
 }
 
-ew_result ew_check_coordinates(const ew_source_name *name, const double v[3], ew_error *error)
+ew_result ew_refuse_coordinates(const ew_source_name *name, ew_error *error)
 {
-    for (int i = 0; i < 3; ++i)
-        if (!(fabs(v[i]) <= EW_MAX_COORDINATE))
-            return ew_fail(error, EW_ERROR_INVALID_ARGUMENT,
-                           "%s[%zu] is more than %g times the interval's length away from the camera or as large", name->list,
-                           name->index, EW_MAX_COORDINATE);
-    return EW_OK;
+    return ew_fail(error, EW_ERROR_INVALID_ARGUMENT,
+                   "%s[%zu] is more than %g times the interval's length away from the camera or as large", name->list,
+                   name->index, EW_MAX_COORDINATE);
 }

@@ -6,6 +6,7 @@
 #define EW_KINDS_H
 
 #include "model/layout.h"
+#include "model/limits.h"
 #include "model/ray_space.h"
 
 #include "energywave.h"
@@ -34,6 +35,15 @@ typedef struct ew_ball {
     double center[3];
     double radius; /* HUGE_VAL: the source has no end */
 } ew_ball;
+
+enum { EW_MAX_HULL_CORNERS = 8 };
+
+/* A convex polygon around a source, or around a piece of one; of a source that has no end, a line. */
+typedef struct ew_hull {
+    double corners[EW_MAX_HULL_CORNERS][3]; /* in order, in the world */
+    size_t corner_count;
+    double direction[3]; /* unit, of a line through the only corner; else 0 */
+} ew_hull;
 
 /* A source's weights along its length, as the uniform block has them; pieces is 0 for a source without. */
 typedef struct ew_weight_range {
@@ -71,6 +81,8 @@ typedef struct ew_chain_kind {
     void (*make)(const void *source, double core, void *pieces);
     size_t (*piece_units)(const void *source, const void *pieces, size_t count);
     size_t (*most_piece_units)(const void *source);
+    /* As `hull` of a kind, of one piece. */
+    ew_hull (*hull)(const void *piece);
     const char *const *bend_files; /* of GLSL, before the kind's own, if the shader knows bent pieces; up to a NULL */
     const char *const *sampled_bend_files;
     /* Completes the source's block and packs its pieces into `units`. */
@@ -94,6 +106,8 @@ typedef struct ew_kind {
     ew_result (*check)(const void *source, const ew_source_name *name, ew_error *error);
     /* The smallest ball that is easily found. */
     ew_ball (*bound)(const void *source);
+    /* What the light's silhouette is found from. NULL for a chain, whose pieces have hulls. */
+    ew_hull (*hull)(const void *source);
     /* NULL for a kind that has no weights. */
     ew_weight_list (*weights)(const void *source);
     /* Brings a checked source to ray space, in double precision until the last step, and fills all of its block but `color` and
@@ -102,6 +116,8 @@ typedef struct ew_kind {
                       void *block, ew_error *error);
     const ew_chain_kind *chain; /* of a kind whose sources are chains of pieces; else NULL */
 
+    /* The GLSL file of what all integrators need; NULL for a kind that has only one file. */
+    const char *chord_file;
     /* GLSL files, in order: for the adaptive integrator, and for those that only sample the field. */
     const char *adaptive_files[EW_KIND_MAX_FILES];
     const char *sampling_files[EW_KIND_MAX_FILES];
@@ -129,9 +145,15 @@ typedef struct ew_kind {
 extern const ew_kind *const ew_kinds[EW_KIND_COUNT];
 
 /* The units (vec4) that a source of the kind takes, without weights. `has_glow`: the block's last member is there. */
-size_t ew_kind_units(const ew_kind *kind, bool has_glow);
+static inline size_t ew_kind_units(const ew_kind *kind, bool has_glow)
+{
+    return kind->block_size / sizeof(ew_vec4) - (has_glow ? 0 : 1);
+}
 
-const ew_emission *ew_source_emission(const ew_kind *kind, const void *source);
+static inline const ew_emission *ew_source_emission(const ew_kind *kind, const void *source)
+{
+    return (const ew_emission *)((const char *)source + kind->emission_offset);
+}
 
 /* ---- For the rows: each refuses with a text that names the field ---- */
 
@@ -140,7 +162,13 @@ ew_result ew_check_vector(const ew_source_name *name, const char *field, const d
 /* Finite, and not zero. */
 ew_result ew_check_direction(const ew_source_name *name, const char *field, const double v[3], ew_error *error);
 
+ew_result ew_refuse_coordinates(const ew_source_name *name, ew_error *error);
+
 /* Coordinates in ray space. */
-ew_result ew_check_coordinates(const ew_source_name *name, const double v[3], ew_error *error);
+static inline ew_result ew_check_coordinates(const ew_source_name *name, const double v[3], ew_error *error)
+{
+    bool is_near = fabs(v[0]) <= EW_MAX_COORDINATE && fabs(v[1]) <= EW_MAX_COORDINATE && fabs(v[2]) <= EW_MAX_COORDINATE;
+    return is_near ? EW_OK : ew_refuse_coordinates(name, error);
+}
 
 #endif

@@ -18,6 +18,14 @@ static ew_ball bound(const void *source)
     return (ew_ball){{line->position[0], line->position[1], line->position[2]}, HUGE_VAL};
 }
 
+static ew_hull hull(const void *source)
+{
+    const ew_line *line = source;
+    ew_hull hull = {.corners = {{line->position[0], line->position[1], line->position[2]}}, .corner_count = 1};
+    ew_normalize(line->direction, hull.direction);
+    return hull;
+}
+
 /* The block's position is the point of the line that is nearest to the anchor: it has the smallest coordinates. */
 static ew_result pack(const void *source, const ew_source_name *name, const ew_ray_space *space, const ew_weight_range *weights,
                       void *block, ew_error *error)
@@ -39,6 +47,11 @@ static ew_result pack(const void *source, const ew_source_name *name, const ew_r
 
 extern const ew_kind ew_line_kind;
 const ew_kind ew_line_kind = {
-    EW_KIND_NAMES(line, LINE, lines),      .check = check, .bound = bound, .pack = pack, .adaptive_files = {ew_glsl_line_glsl},
+    EW_KIND_NAMES(line, LINE, lines),
+    .check = check,
+    .bound = bound,
+    .hull = hull,
+    .pack = pack,
+    .adaptive_files = {ew_glsl_line_glsl},
     .sampling_files = {ew_glsl_line_glsl},
 };

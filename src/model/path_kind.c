@@ -83,6 +83,12 @@ static size_t most_piece_units(const void *source)
     return (path->kind == EW_PATH_POLYLINE ? sizeof(struct ew_straight_block) : sizeof(struct ew_bent_block)) / sizeof(ew_vec4);
 }
 
+static ew_hull hull(const void *piece)
+{
+    const double whole[2] = {0, 1};
+    return ew_hull_of_arc(((const ew_path_piece *)piece)->curve.polynomial, whole);
+}
+
 static ew_result pack_straight(const ew_path_piece *piece, const ew_source_name *name, const ew_ray_space *space,
                                struct ew_straight_block *block, ew_error *error)
 {
@@ -153,9 +159,9 @@ static ew_result pack_pieces(const ew_source_name *name, const ew_ray_space *spa
     return result;
 }
 
-static const char *const bend_files[] = {ew_glsl_arc_glsl,         ew_glsl_passage_glsl, ew_glsl_cell_glsl,
-                                         ew_glsl_stretch_glsl,     ew_glsl_rest_glsl,    ew_glsl_knot_glsl,
-                                         ew_glsl_rest_panels_glsl, ew_glsl_curve_glsl,   NULL};
+static const char *const bend_files[] = {
+    ew_glsl_curve_chord_glsl, ew_glsl_arc_glsl,  ew_glsl_passage_glsl,     ew_glsl_cell_glsl,  ew_glsl_stretch_glsl,
+    ew_glsl_rest_glsl,        ew_glsl_knot_glsl, ew_glsl_rest_panels_glsl, ew_glsl_curve_glsl, NULL};
 static const char *const sampled_bend_files[] = {ew_glsl_curve_distance_glsl, NULL};
 
 static const ew_chain_kind chain = {.most_piece_units = most_piece_units,
@@ -164,6 +170,7 @@ static const ew_chain_kind chain = {.most_piece_units = most_piece_units,
                                     .piece_size = sizeof(ew_path_piece),
                                     .count = count,
                                     .make = make,
+                                    .hull = hull,
                                     .piece_units = piece_units,
                                     .pack = pack_pieces};
 
@@ -172,6 +179,7 @@ const ew_kind ew_path_kind_row = {
     EW_KIND_NAMES(path, PATH, paths),
     .check = check,
     .bound = bound,
+    .chord_file = ew_glsl_path_chord_glsl,
     .weights = weights_of,
     .pack = pack,
     .chain = &chain,

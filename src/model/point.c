@@ -16,6 +16,12 @@ static ew_ball bound(const void *source)
     return (ew_ball){{point->position[0], point->position[1], point->position[2]}, 0};
 }
 
+static ew_hull hull(const void *source)
+{
+    const ew_point *point = source;
+    return (ew_hull){.corners = {{point->position[0], point->position[1], point->position[2]}}, .corner_count = 1};
+}
+
 static ew_result pack(const void *source, const ew_source_name *name, const ew_ray_space *space, const ew_weight_range *weights,
                       void *block, ew_error *error)
 {
@@ -33,6 +39,7 @@ const ew_kind ew_point_kind = {
     EW_KIND_NAMES(point, POINT, points),
     .check = check,
     .bound = bound,
+    .hull = hull,
     .pack = pack,
     .adaptive_files = {ew_glsl_point_glsl},
     .sampling_files = {ew_glsl_point_glsl},

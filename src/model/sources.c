@@ -215,7 +215,8 @@ static size_t lay_out(const ew_sources_desc *desc, const piece_total *total, cha
         if (kind->weights) with_weights += count;
         units += count * ew_kind_units(kind, sources->has_glow);
     }
-    sources->balls = carve(memory, &used, count_all(desc) * sizeof *sources->balls);
+    sources->lit_count = count_all(desc);
+    sources->lit = carve(memory, &used, sources->lit_count * sizeof *sources->lit);
     sources->weights = carve(memory, &used, with_weights * sizeof *sources->weights);
     sources->piece_ranges = carve(memory, &used, total->chains * sizeof *sources->piece_ranges);
     sources->pieces = carve(memory, &used, total->bytes);
@@ -246,22 +247,25 @@ static void copy_sources(const ew_sources_desc *desc, ew_sources *sources)
     }
 }
 
-/* Makes the balls around all sources, and the pieces of chains. */
+/* Makes what the sources light, and the pieces of chains. */
 static ew_result make_shapes(const ew_sources_desc *desc, ew_sources *sources, ew_error *error)
 {
-    ew_ball *ball = sources->balls;
+    ew_lit_source *lit = sources->lit;
     ew_piece_range *range = sources->piece_ranges;
     char *pieces = sources->pieces;
     size_t unit = sources->weight_units + sources->weight_piece_count;
     for (int k = 0; k < EW_KIND_COUNT; ++k) {
         const ew_kind *kind = ew_kinds[k];
-        for (size_t i = 0; i < sources->counts[k]; ++i, ++ball) {
-            const char *source = list_in(desc, kind) + i * kind->size;
-            *ball = kind->bound(source);
+        for (size_t i = 0; i < sources->counts[k]; ++i, ++lit) {
+            const char *source = (const char *)sources->lists[k] + i * kind->size;
+            const ew_emission *emission = ew_source_emission(kind, source);
+            *lit = (ew_lit_source){kind, source, i, NULL, kind->bound(source), emission->reach};
+            sources->has_sharpness = sources->has_sharpness || emission->sharpness > 1;
             if (!kind->chain) continue;
+            lit->pieces = range;
             const ew_source_name name = {kind->list_name, i};
-            double core = core_of(ew_source_emission(kind, source), desc->epsilon);
-            *range = (ew_piece_range){.first_unit = unit, .ball = *ball};
+            double core = core_of(emission, desc->epsilon);
+            *range = (ew_piece_range){.first_unit = unit, .ball = lit->ball};
             ew_result result = kind->chain->count(source, core, &name, &range->piece_count, error);
             if (result != EW_OK) return result;
             kind->chain->make(source, core, pieces);
@@ -311,16 +315,11 @@ ew_mix ew_sources_mix(const ew_sources *sources)
 {
     ew_mix mix = {.has_weights = sources->weight_piece_count > 0,
                   .has_reach = sources->has_glow,
+                  .has_sharpness = sources->has_sharpness,
                   .has_joints = sources->has_joints,
                   .has_bends = sources->has_bends};
-    for (int k = 0; k < EW_KIND_COUNT; ++k) {
-        const ew_kind *kind = ew_kinds[k];
-        memcpy((char *)&mix + kind->mix_offset, &sources->counts[k], sizeof sources->counts[k]);
-        for (size_t i = 0; i < sources->counts[k]; ++i) {
-            const ew_emission *emission = ew_source_emission(kind, (const char *)sources->lists[k] + i * kind->size);
-            if (emission->sharpness > 1) mix.has_sharpness = 1;
-        }
-    }
+    for (int k = 0; k < EW_KIND_COUNT; ++k)
+        memcpy((char *)&mix + ew_kinds[k]->mix_offset, &sources->counts[k], sizeof sources->counts[k]);
     return mix;
 }
 
@@ -341,23 +340,23 @@ static ew_result pack_emission(const ew_emission *emission, const ew_source_name
                                const ew_sources *sources, ew_vec4 *color_and_glow, ew_error *error)
 {
     double core = core_of(emission, sources->epsilon), core_in_space = core / packing->space.length;
-    double reach = emission->reach / packing->space.length;
     double scaled = coefficient_of(emission, core) * packing->coefficient_scale;
     if (!(scaled <= EW_MAX_COEFFICIENT))
         return ew_fail(error, EW_ERROR_INVALID_ARGUMENT,
                        "%s[%zu].coefficient times decay_alpha over the interval's length must be at most %g", name->list,
                        name->index, EW_MAX_COEFFICIENT);
-    double least = packing->needs_reach ? EW_MIN_CORE : EW_MIN_EPSILON;
-    if (!(core_in_space >= least && core_in_space <= EW_MAX_COORDINATE))
+    if (!(core_in_space >= packing->least_core && core_in_space <= EW_MAX_COORDINATE))
         return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "%s, of %s[%zu], over the interval's length must be in [%g, %g]",
-                       emission->core > 0 ? "core" : "epsilon", name->list, name->index, least, EW_MAX_COORDINATE);
-    if (packing->needs_reach && emission->reach == 0)
-        return refuse(name, "reach must be given in a frame without an interval", error);
+                       emission->core > 0 ? "core" : "epsilon", name->list, name->index, packing->least_core,
+                       EW_MAX_COORDINATE);
     double color[3];
-    for (int i = 0; i < 3; ++i)
-        color[i] = fmin(emission->color[i] * packing->exposure, EW_MAX_COLOR);
+    for (int i = 0; i < 3; ++i) {
+        double exposed = emission->color[i] * packing->exposure;
+        color[i] = exposed > EW_MAX_COLOR ? EW_MAX_COLOR : exposed;
+    }
     color_and_glow[0] = ew_pack(color, scaled);
     if (!sources->has_glow) return EW_OK;
+    double reach = emission->reach / packing->space.length;
     const double glow[3] = {core_in_space, fmin(reach, EW_MAX_COORDINATE), emission->sharpness};
     color_and_glow[1] = ew_pack(glow, brightness_of(emission, core));
     return EW_OK;
@@ -389,18 +388,13 @@ ew_result ew_sources_pack(ew_sources *sources, const ew_packing *packing, ew_err
     return EW_OK;
 }
 
-void ew_sources_for_each_lit_ball(const ew_sources *sources, void (*take)(void *user, const ew_ball *ball, double reach),
-                                  void *user)
+ew_result ew_sources_check_reach(const ew_sources *sources, ew_error *error)
 {
-    const ew_ball *ball = sources->balls;
-    for (int k = 0; k < EW_KIND_COUNT; ++k) {
-        const ew_kind *kind = ew_kinds[k];
-        for (size_t i = 0; i < sources->counts[k]; ++i, ++ball) {
-            const char *source = (const char *)sources->lists[k] + i * kind->size;
-            double reach = ew_source_emission(kind, source)->reach;
-            ew_ball lit = *ball;
-            lit.radius = reach > 0 ? lit.radius + reach : HUGE_VAL;
-            take(user, &lit, reach);
-        }
+    for (size_t i = 0; i < sources->lit_count; ++i) {
+        const ew_lit_source *lit = &sources->lit[i];
+        if (lit->reach > 0) continue;
+        const ew_source_name name = {lit->kind->list_name, lit->index};
+        return refuse(&name, "reach must be given in a frame without an interval", error);
     }
+    return EW_OK;
 }

@@ -8,6 +8,16 @@
 
 #include <stdbool.h>
 
+/* A source, and how far it lights. */
+typedef struct ew_lit_source {
+    const ew_kind *kind;
+    const void *source;           /* the copy of the host's */
+    size_t index;                 /* in its list */
+    const ew_piece_range *pieces; /* NULL for a kind that is no chain */
+    ew_ball ball;                 /* around the source */
+    double reach;                 /* 0: without end */
+} ew_lit_source;
+
 /* Starts as {0}. All arrays lie in one allocation; the blocks of all kinds, the weight pieces and the pieces of paths lie
  * one after the other, as in the uniform block. */
 typedef struct ew_sources {
@@ -15,9 +25,11 @@ typedef struct ew_sources {
     size_t memory_size;
     double epsilon;
     bool has_glow; /* the blocks have their last member */
+    bool has_sharpness;
     size_t counts[EW_KIND_COUNT];
-    void *lists[EW_KIND_COUNT];   /* copies of the host's */
-    ew_ball *balls;               /* one for each source, kind after kind */
+    void *lists[EW_KIND_COUNT]; /* copies of the host's */
+    ew_lit_source *lit;         /* all sources, kind after kind */
+    size_t lit_count;
     ew_piece_range *piece_ranges; /* one for each source that is a chain, kind after kind */
     void *pieces;                 /* in world space */
     bool has_joints, has_bends;   /* a path has bent pieces */
@@ -46,14 +58,13 @@ typedef struct ew_packing {
     ew_ray_space space;
     double coefficient_scale; /* on all coefficients */
     double exposure;          /* on all colours */
-    bool needs_reach;         /* refuses a source without a reach */
+    double least_core;        /* that is allowed, in ray space */
 } ew_packing;
 
 /* Brings the sources to ray space and fills `data`. */
 ew_result ew_sources_pack(ew_sources *sources, const ew_packing *packing, ew_error *error);
 
-/* Calls `take` with a ball around all that each source can light, and its reach: HUGE_VAL is the radius of what has no end. */
-void ew_sources_for_each_lit_ball(const ew_sources *sources, void (*take)(void *user, const ew_ball *ball, double reach),
-                                  void *user);
+/* Refuses a source without a reach. */
+ew_result ew_sources_check_reach(const ew_sources *sources, ew_error *error);
 
 #endif

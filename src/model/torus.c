@@ -23,6 +23,23 @@ static ew_ball bound(const void *source)
     return (ew_ball){{torus->center[0], torus->center[1], torus->center[2]}, torus->radius};
 }
 
+/* The regular polygon with the circle in it. */
+static ew_hull hull(const void *source)
+{
+    const ew_torus *torus = source;
+    const double step = acos(-1) / EW_MAX_HULL_CORNERS, radius = torus->radius / cos(step);
+    double axis[3], right[3], up[3];
+    ew_normalize(torus->axis, axis);
+    ew_perpendicular(axis, right);
+    ew_cross(axis, right, up);
+    ew_hull hull = {.corner_count = EW_MAX_HULL_CORNERS};
+    for (int corner = 0; corner < EW_MAX_HULL_CORNERS; ++corner)
+        for (int i = 0; i < 3; ++i)
+            hull.corners[corner][i] =
+                torus->center[i] + radius * (cos(2 * corner * step) * right[i] + sin(2 * corner * step) * up[i]);
+    return hull;
+}
+
 static ew_result pack(const void *source, const ew_source_name *name, const ew_ray_space *space, const ew_weight_range *weights,
                       void *block, ew_error *error)
 {
@@ -44,6 +61,8 @@ const ew_kind ew_torus_kind = {
     EW_KIND_NAMES(torus, TORUS, tori),
     .check = check,
     .bound = bound,
+    .chord_file = ew_glsl_torus_chord_glsl,
+    .hull = hull,
     .pack = pack,
     .adaptive_files = {ew_glsl_torus_side_glsl, ew_glsl_torus_core_glsl, ew_glsl_torus_panel_glsl, ew_glsl_torus_glsl},
     .sampling_files = {ew_glsl_torus_distance_glsl},

@@ -1,16 +1,24 @@
 /* Vectors: see vector.h. */
 #include "model/vector.h"
 
-/* Scales first: the square of a length in range can be out of range. */
+static void divide(const double v[3], double length, double out[3])
+{
+    for (int i = 0; i < 3; ++i)
+        out[i] = v[i] / length;
+}
+
+/* The square of a length in range can be out of range: then it is scaled first. */
 bool ew_normalize(const double v[3], double unit[3])
 {
+    double square = ew_dot(v, v);
+    if (square > 1e-200 && square < 1e200) {
+        divide(v, sqrt(square), unit);
+        return true;
+    }
     double largest = fmax(fabs(v[0]), fmax(fabs(v[1]), fabs(v[2])));
     if (largest == 0) return false;
-    for (int i = 0; i < 3; ++i)
-        unit[i] = v[i] / largest;
-    double length = sqrt(ew_dot(unit, unit));
-    for (int i = 0; i < 3; ++i)
-        unit[i] /= length;
+    divide(v, largest, unit);
+    divide(unit, sqrt(ew_dot(unit, unit)), unit);
     return true;
 }
 

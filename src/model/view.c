@@ -134,3 +134,20 @@ double ew_window_depth_at(const ew_view *view, double x, double y, double depth)
                        clip_w_at(view, depth);
     return view->clip_depth == EW_CLIP_DEPTH_ZERO_TO_ONE ? ndc_depth : 0.5 * ndc_depth + 0.5;
 }
+
+void ew_to_view(const ew_view *view, const double world[3], double out[3])
+{
+    for (int row = 0; row < 3; ++row) {
+        out[row] = ew_element(view->view, row, 3);
+        for (int column = 0; column < 3; ++column)
+            out[row] += ew_element(view->view, row, column) * world[column];
+    }
+}
+
+double ew_first_depth(const ew_view *view)
+{
+    if (!ew_is_parallel(view)) return 0;
+    double at_0 = ew_window_depth_at(view, 0, 0, 0), growth = ew_window_depth_at(view, 0, 0, 1) - at_0;
+    /* Window depth 0 is the near plane, or 1 if depth is reversed. */
+    return growth != 0 ? ((growth > 0 ? 0 : 1) - at_0) / growth : 0;
+}

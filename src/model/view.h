@@ -23,6 +23,12 @@ void ew_settle_view(const double view[16], double settled[16]);
 
 bool ew_is_parallel(const ew_view *view);
 
+/* Brings a place of the world to view space. */
+void ew_to_view(const ew_view *view, const double world[3], double out[3]);
+
+/* The view depth at which rays begin: the near plane's of a parallel projection; 0, the eye's, of a perspective one. */
+double ew_first_depth(const ew_view *view);
+
 /* Where the ray through NDC (x, y) is at view depth `depth`, in view space. */
 void ew_ray_at(const ew_view *view, double x, double y, double depth, double out[2]);
 

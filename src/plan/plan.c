@@ -3,6 +3,8 @@
 
 #include "base/error.h"
 #include "model/bounds.h"
+#include "model/limits.h"
+#include "model/lit_space.h"
 #include "plan/frame.h"
 
 /* How much the four values of a panel may bend, relative to the integral, for the whole to keep the quality's error: measured,
@@ -48,53 +50,48 @@ static void pack_target_steps(ew_encoding encoding, struct ew_frame_block *block
 }
 
 /* Fills what depends on the viewport: the rays of its pixels, and how wide cores are at the least. */
-static void pack_viewport(ew_plan *plan, const ew_frame_desc *frame, const ew_interval *interval, double unit)
+static void pack_viewport(ew_plan *plan, const ew_frame_desc *frame, const ew_lit_space *space)
 {
     const ew_view view = ew_view_of(frame);
     const ew_viewport viewport = viewport_of(frame);
     struct ew_frame_block *block = &plan->uniforms.frame;
-    ew_pack_rays(&view, interval, unit, &viewport, block);
-    if (frame->depth_source == EW_DEPTH_TEXTURE_LINEAR) ew_pack_linear_depth(interval, block);
-    double growth = core_growth_of(frame);
+    ew_pack_rays(&view, &space->interval, space->unit, &viewport, block);
+    if (frame->depth_source == EW_DEPTH_TEXTURE_LINEAR) ew_pack_linear_depth(&space->interval, block);
+    double growth = core_growth_of(frame), unit = space->unit;
     block->core_floor.x = ew_is_parallel(&view) ? 0 : (float)(growth * growth);
     plan->uniforms.grid.viewport = (ew_ivec4){viewport.x, viewport.y, viewport.width, viewport.height};
     plan->uniforms.grid.tolerance = (ew_vec4){(float)interpolation_tolerance(frame->quality), 0.03f, 0, 0};
     block->core_floor.z = ew_is_parallel(&view) ? (float)(growth * growth / (unit * unit)) : 0;
 }
 
-/* The interval of a checked frame: its own, or that of the world integral, which the sources decide. */
-static ew_interval interval_of(const ew_frame_desc *frame, const ew_sources *sources)
+/* The interval and the unit of length of a checked frame: its own, or in the world integral the sources'. */
+static ew_lit_space space_of(const ew_frame_desc *frame, const ew_sources *sources)
 {
     const ew_view view = ew_view_of(frame);
-    if (ew_is_world_frame(frame)) return ew_lit_interval(sources, &view, core_growth_of(frame));
-    return (ew_interval){frame->interval_start, frame->interval_end};
+    if (ew_is_world_frame(frame)) return ew_find_lit_space(sources, &view, core_growth_of(frame));
+    return (ew_lit_space){{frame->interval_start, frame->interval_end}, frame->interval_end - frame->interval_start};
 }
 
-/* The unit of length of ray space. */
-static double unit_of(const ew_frame_desc *frame, const ew_sources *sources, const ew_interval *interval)
-{
-    const ew_view view = ew_view_of(frame);
-    return ew_is_world_frame(frame) ? ew_lit_scale(sources, &view) : interval->end - interval->start;
-}
-
-static ew_packing packing_of(const ew_frame_desc *frame, const ew_interval *interval, double unit)
+static ew_packing packing_of(const ew_frame_desc *frame, const ew_lit_space *space)
 {
     bool is_world = ew_is_world_frame(frame);
     /* d ds = (length d') (ds): over the interval's length, B is what it is in world units. The world integral is over the way
      * itself, which is as long in the unit of d. */
-    return (ew_packing){.space = {frame->view, interval->start, unit},
-                        .coefficient_scale = is_world ? 1 : frame->decay_alpha / unit,
+    return (ew_packing){.space = {frame->view, space->interval.start, space->unit},
+                        .coefficient_scale = is_world ? 1 : frame->decay_alpha / space->unit,
                         .exposure = frame->exposure,
-                        .needs_reach = is_world};
+                        .least_core = is_world ? EW_MIN_CORE : EW_MIN_EPSILON};
 }
 
 /* Fills the plan's uniforms for a checked frame, but for what depends on the viewport. */
-static ew_result pack(ew_plan *plan, ew_sources *sources, const ew_frame_desc *frame, const ew_interval *interval,
+static ew_result pack(ew_plan *plan, ew_sources *sources, const ew_frame_desc *frame, const ew_lit_space *space,
                       ew_error *error)
 {
     const ew_view view = ew_view_of(frame);
-    const ew_packing packing = packing_of(frame, interval, unit_of(frame, sources, interval));
-    ew_result result = ew_check_rays(&view, interval, error);
+    const ew_packing packing = packing_of(frame, space);
+    const ew_interval *interval = &space->interval;
+    ew_result result = ew_is_world_frame(frame) ? ew_sources_check_reach(sources, error) : EW_OK;
+    if (result == EW_OK) result = ew_check_rays(&view, interval, error);
     if (result == EW_OK) result = ew_sources_pack(sources, &packing, error);
     if (result != EW_OK) return result;
 
@@ -117,10 +114,9 @@ ew_result ew_plan_uniforms(ew_plan *plan, ew_sources *sources, const ew_frame_de
     *plan = (ew_plan){0};
     ew_result result = ew_check_integral(frame, error);
     if (result != EW_OK) return result;
-    const ew_interval interval = interval_of(frame, sources);
-    result = pack(plan, sources, frame, &interval, error);
-    if (result == EW_OK && frame->viewport_width > 0 && frame->viewport_height > 0)
-        pack_viewport(plan, frame, &interval, unit_of(frame, sources, &interval));
+    const ew_lit_space space = space_of(frame, sources);
+    result = pack(plan, sources, frame, &space, error);
+    if (result == EW_OK && frame->viewport_width > 0 && frame->viewport_height > 0) pack_viewport(plan, frame, &space);
     return result;
 }
 
@@ -154,13 +150,13 @@ ew_result ew_plan_frame(ew_plan *plan, ew_sources *sources, const ew_mix *mix, c
     ew_result result = ew_check_integral(frame, error);
     if (result == EW_OK) result = ew_check_target(frame, error);
     if (result != EW_OK) return result;
-    const ew_interval interval = interval_of(frame, sources);
-    result = pack(plan, sources, frame, &interval, error);
+    const ew_lit_space space = space_of(frame, sources);
+    result = pack(plan, sources, frame, &space, error);
     if (result != EW_OK) return result;
 
     const ew_viewport viewport = viewport_of(frame);
     const ew_mix current = ew_sources_mix(sources);
-    pack_viewport(plan, frame, &interval, unit_of(frame, sources, &interval));
+    pack_viewport(plan, frame, &space);
     pack_target_steps(frame->encoding, &plan->uniforms.frame);
     plan->permutation = ew_permutation_of(mix ? mix : &current, frame);
     plan->target = (ew_target){frame->framebuffer, viewport, blend_of(frame->output), frame->encoding == EW_ENCODING_SRGB_8BIT,
@@ -175,10 +171,11 @@ ew_result ew_plan_bounds(const ew_sources *sources, const ew_frame_desc *frame, 
 {
     ew_result result = ew_check_integral(frame, error);
     if (result == EW_OK) result = ew_check_target(frame, error);
+    if (result == EW_OK && ew_is_world_frame(frame)) result = ew_sources_check_reach(sources, error);
     if (result != EW_OK) return result;
     const ew_view view = ew_view_of(frame);
-    const ew_interval interval = {frame->interval_start, frame->interval_end};
+    const ew_interval world = {ew_first_depth(&view), HUGE_VAL}, own = {frame->interval_start, frame->interval_end};
     const ew_viewport viewport = viewport_of(frame);
-    *bounds = ew_find_bounds(sources, &view, ew_is_world_frame(frame) ? NULL : &interval, &viewport);
+    *bounds = ew_find_bounds(sources, &view, ew_is_world_frame(frame) ? &world : &own, &viewport);
     return EW_OK;
 }

@@ -172,6 +172,7 @@ static void add_kinds(ew_shader_text *text, unsigned key, const ew_integrator_te
         if (ew_permutation_count(key, kind) == 0) continue;
         const char *const *files = integrator->is_sampling ? ew_kinds[kind]->sampling_files : ew_kinds[kind]->adaptive_files;
         if (ew_kinds[kind]->chain && key & EW_PERMUTATION_BENDS) add_bend_files(text, ew_kinds[kind], integrator->is_sampling);
+        if (ew_kinds[kind]->chord_file) add_file_once(text, ew_kinds[kind]->chord_file);
         for (int i = 0; i < EW_KIND_MAX_FILES && files[i]; ++i)
             add_file_once(text, files[i]);
         if (!integrator->each_kind) continue;

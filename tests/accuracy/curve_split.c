@@ -9,6 +9,7 @@
  */
 #include "curve_split.h"
 #include "reference_arc.h"
+#include "vector.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -67,6 +68,7 @@ static part_order find_order(const ew_curve parts[2], const reference_ray *ray)
     return order;
 }
 
+/* Sharpness shapes the light of the whole, which is then no sum. */
 static ew_curve part_of(const ew_curve *curve, const double ramp[2], const double ends[2], double weights[2])
 {
     ew_curve part = *curve;
@@ -77,6 +79,7 @@ static ew_curve part_of(const ew_curve *curve, const double ramp[2], const doubl
     }
     part.weights = ramp ? weights : NULL;
     part.weight_count = ramp ? 2 : 0;
+    part.sharpness = 0;
     return part;
 }
 
@@ -93,7 +96,7 @@ static void map_changes(const equation_stage *s, const ew_curve parts[2], change
         double opaque_depth = scene_rays_stored_depth(&s->rays, (double)s->depth[i]);
         reference_ray ray = scene_rays_ray(&s->rays, i % EQUATION_SIDE + 0.5, i / EQUATION_SIDE + 0.5, opaque_depth);
         part_order order = find_order(parts, &ray);
-        double depth = s->rays.interval_start + order.s * (s->rays.interval_end - s->rays.interval_start);
+        double depth = (1 - order.s) * vector_dot(s->rays.forward, ray.start) + order.s * vector_dot(s->rays.forward, ray.end);
         map->depth[i] = scene_rays_depth_to_store(&s->rays, order.changes == 0 ? opaque_depth : depth);
         map->applies[i] = order.changes < 2;
         map->first[i] = order.first;

@@ -10,6 +10,7 @@
 #include "curve_split.h"
 #include "effect_context.h"
 #include "equation.h"
+#include "path_forms.h"
 #include "source_kinds.h"
 #include "vector.h"
 
@@ -50,8 +51,10 @@ static bool moves_rigidly(equation_stage *s, const luminance_sum *whole)
     vector_copy(right, motion.rotation[0]);
     vector_copy(up, motion.rotation[1]);
     vector_cross(right, up, motion.rotation[2]);
+    double middle, length;
+    scene_rays_depth_range(&s->rays, &middle, &length);
     for (int i = 0; i < 3; i++)
-        motion.translation[i] = (i - 0.7) * 1000 * (s->scene->interval_end - s->scene->interval_start);
+        motion.translation[i] = (i - 0.7) * 1000 * length;
 
     luminance_sum moved = {{0}, {0}};
     demo_scene scene = *s->scene;
@@ -64,6 +67,52 @@ static bool moves_rigidly(equation_stage *s, const luminance_sum *whole)
     ew_frame_desc frame = equation_frame(&other);
     bool ok = equation_add_picture(&other, &scene.sources, &frame, s->depth, 1, &moved);
     if (ok) equation_compare(s, "moved rigidly", whole, &moved, NULL);
+    free_source_lists(&scene.sources);
+    return ok;
+}
+
+/* ---- A scene in another unit -------------------------------------------------------------------------------------------- */
+
+static void scale(const void *user, double vector[3])
+{
+    const double *factor = user;
+    for (int i = 0; i < 3; i++)
+        vector[i] *= *factor;
+}
+
+/* Cores, reaches and radii of a copy. */
+static void scale_lengths(ew_sources_desc *copy, double factor)
+{
+    copy->epsilon *= factor;
+    for (size_t i = 0; i < copy->torus_count; i++)
+        ((ew_torus *)copy->tori)[i].radius *= factor;
+    for (int k = 0; k < SOURCE_KIND_COUNT; k++)
+        for (size_t i = 0; i < source_count(source_kinds[k], copy); i++) {
+            source_light *light = (source_light *)((char *)source_at(source_kinds[k], copy, i) + source_kinds[k]->light_offset);
+            light->core *= factor;
+            light->reach *= factor;
+        }
+}
+
+/* Luminance has no unit in the world integral. The depth buffer holds the same. */
+static bool unit_does_not_matter(equation_stage *s, const luminance_sum *whole, double factor)
+{
+    demo_scene scene = *s->scene;
+    equation_stage other = {.path = s->path, .scene = &scene, .drawer = s->drawer};
+    luminance_sum scaled = {{0}, {0}};
+    char name[40];
+    if (!copy_source_lists(&s->scene->sources, &scene.sources)) return false;
+    change_sources(&scene.sources, scale, scale, &factor);
+    scale_lengths(&scene.sources, factor);
+    scale(&factor, scene.camera.eye);
+    scale(&factor, scene.camera.target);
+    scene.camera.height *= factor;
+    scene.camera.near_depth *= factor;
+    scene.camera.far_depth *= factor;
+    ew_frame_desc frame = equation_frame(&other);
+    bool ok = equation_add_picture(&other, &scene.sources, &frame, s->depth, 1, &scaled);
+    snprintf(name, sizeof name, "scaled by %g", factor);
+    if (ok) equation_compare(s, name, whole, &scaled, NULL);
     free_source_lists(&scene.sources);
     return ok;
 }
@@ -164,10 +213,14 @@ static bool check_relations(equation_stage *s)
     static const double ramp[] = {1, 0.25};
     luminance_sum whole = {{0}, {0}};
     ew_frame_desc frame = equation_frame(s);
-    bool ok = equation_add_picture(s, &s->scene->sources, &frame, s->depth, 1, &whole) && moves_rigidly(s, &whole) &&
-              interval_splits(s, &whole, 0.1) && interval_splits(s, &whole, 0.45);
+    bool ok = equation_add_picture(s, &s->scene->sources, &frame, s->depth, 1, &whole) && moves_rigidly(s, &whole);
+    if (scene_is_world(s->scene))
+        ok = ok && unit_does_not_matter(s, &whole, 1e-3) && unit_does_not_matter(s, &whole, 1e4);
+    else
+        ok = ok && interval_splits(s, &whole, 0.1) && interval_splits(s, &whole, 0.45);
     if (!s->scene->camera.orthographic) ok = ok && depth_may_be_reversed(s, &whole);
     if (s->scene->sources.curve_count > 0) ok = ok && curves_reverse(s, &whole);
+    if (s->scene->sources.path_count > 0) ok = ok && paths_reverse(s, &whole) && splines_are_beziers(s, &whole);
     for (size_t i = 0; ok && i < s->scene->sources.curve_count && i < 3; i++)
         ok = curve_splits(s, i, NULL) && curve_splits(s, i, ramp);
     return ok;

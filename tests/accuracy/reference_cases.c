@@ -1,9 +1,15 @@
 /* Random cases for the reference: see reference_cases.h. */
 #include "reference_cases.h"
+#include "brute_force.h"
 #include "random_numbers.h"
 
 #include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
 #include <string.h>
+
+#include <cmocka.h>
 
 double log_uniform(uint64_t *random, double low, double high)
 {
@@ -70,4 +76,43 @@ void point_near_ray(uint64_t *random, const reference_ray *ray, double miss, dou
 bool curve_is_ambiguous(int shape)
 {
     return shape == 13 || shape == 14 || shape == 17 || shape == 18;
+}
+
+/* ---- For cmocka's tests -------------------------------------------------------------------------------------------------- */
+
+reference_workspace *workspace;
+
+int create_workspace(void **state)
+{
+    (void)state;
+    return (workspace = reference_create_workspace()) ? 0 : -1;
+}
+
+int destroy_workspace(void **state)
+{
+    (void)state;
+    reference_destroy_workspace(workspace);
+    return 0;
+}
+
+reference_value value_of(const ew_sources_desc *sources, const reference_ray *ray)
+{
+    reference_value value;
+    if (!reference_luminance(workspace, sources, ray, &value, NULL))
+        fail_msg("the reference does not vouch for %g +- %g", value.luminance, value.error);
+    return value;
+}
+
+void assert_close(double value, double truth, double tolerance, double floor)
+{
+    if (!(fabs(value - truth) <= tolerance * fmax(truth, floor))) fail_msg("%.12g is not %.12g", value, truth);
+}
+
+void assert_matches_brute_force(const ew_sources_desc *sources, const reference_ray *ray, double coefficient, const char *what,
+                                int number)
+{
+    reference_value value = value_of(sources, ray);
+    double truth = brute_force_luminance(sources, ray), error = fabs(value.luminance - truth);
+    if (error > value.error + BRUTE_FORCE_ERROR * truth + BRUTE_FORCE_DARK_ERROR * coefficient)
+        fail_msg("%s %d: %.12g +- %.1e, by brute force %.12g", what, number, value.luminance, value.error, truth);
 }

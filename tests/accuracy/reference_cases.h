@@ -1,5 +1,6 @@
 /*
- * Random cases for the reference: rays, curves of every shape, and places near the rays. The same in every run.
+ * Random cases for the reference: rays, curves of every shape, and places near the rays. The same in every run. And what the
+ * tests of the reference do with them.
  */
 #ifndef REFERENCE_CASES_H
 #define REFERENCE_CASES_H
@@ -25,5 +26,22 @@ reference_ray random_ray(uint64_t *random, double longest);
 
 /* A point that the ray passes at a distance of about `miss`. */
 void point_near_ray(uint64_t *random, const reference_ray *ray, double miss, double point[3]);
+
+/* ---- For cmocka's tests -------------------------------------------------------------------------------------------------- */
+
+/* Of the group of tests whose fixture these are. */
+extern reference_workspace *workspace;
+int create_workspace(void **state);
+int destroy_workspace(void **state);
+
+/* Fails the test where the reference does not vouch for the value. */
+reference_value value_of(const ew_sources_desc *sources, const reference_ray *ray);
+
+/* Within `tolerance` of the larger of truth and floor. */
+void assert_close(double value, double truth, double tolerance, double floor);
+
+/* `coefficient` allows for fields with that one of which the ray meets next to nothing; 0 for others. */
+void assert_matches_brute_force(const ew_sources_desc *sources, const reference_ray *ray, double coefficient, const char *what,
+                                int number);
 
 #endif

@@ -19,37 +19,9 @@
 
 enum { MAX_POINTS = 201 };
 
-static reference_workspace *workspace;
-
-static int create_workspace(void **state)
-{
-    (void)state;
-    return (workspace = reference_create_workspace()) ? 0 : -1;
-}
-
-static int destroy_workspace(void **state)
-{
-    (void)state;
-    reference_destroy_workspace(workspace);
-    return 0;
-}
-
-static reference_value value_of(const ew_sources_desc *sources, const reference_ray *ray)
-{
-    reference_value value;
-    if (!reference_luminance(workspace, sources, ray, &value, NULL))
-        fail_msg("the reference does not vouch for %g +- %g", value.luminance, value.error);
-    return value;
-}
-
 static double path_luminance(const ew_path *path, const reference_ray *ray)
 {
     return value_of(&(ew_sources_desc){.paths = path, .path_count = 1}, ray).luminance;
-}
-
-static void assert_close(double value, double truth, double tolerance, double floor)
-{
-    if (!(fabs(value - truth) <= tolerance * fmax(truth, floor))) fail_msg("%.12g is not %.12g", value, truth);
 }
 
 /* A ray with cores of pixels, past or through the middle of the scene. */
@@ -97,10 +69,7 @@ static void polylines_and_bsplines_match_brute_force(void **state)
         bool is_ambiguous = i % 5 == 1 || (i % 5 == 2 && path.kind == EW_PATH_BSPLINE);
         if (i % 3 == 0 && !is_ambiguous) path.weights = weights, path.weight_count = i % 6 ? 7 : 2;
         ew_sources_desc sources = {.paths = &path, .path_count = 1};
-        reference_value value = value_of(&sources, &ray);
-        double truth = brute_force_luminance(&sources, &ray);
-        if (fabs(value.luminance - truth) > value.error + BRUTE_FORCE_ERROR * truth + BRUTE_FORCE_DARK_ERROR)
-            fail_msg("path %d: %.12g +- %.1e, by brute force %.12g", i, value.luminance, value.error, truth);
+        assert_matches_brute_force(&sources, &ray, 1, "path", i);
     }
 }
 
