@@ -296,13 +296,19 @@ static void try_other_calls(fuzzer *f, const shader_mix *sources, const ew_frame
     ew_error error, untouched;
     memset(&error, 0x55, sizeof error);
     untouched = error;
-    int is_ready = -1;
+    int is_ready;
     unsigned buffer = 0;
     const char *text = NULL;
     memcpy(f->before, f->after, sizeof f->before);
-    ew_result result = ew_prepare(f->effect, random_index(&f->random, 2) ? &mix : NULL, frame, &is_ready, &error);
-    check_error(f, result, &error, &untouched);
-    require(f, result == EW_OK ? is_ready == 0 || is_ready == 1 : is_ready == -1, "is_ready is neither set nor left alone");
+    const ew_mix *prepared = random_index(&f->random, 2) ? &mix : NULL;
+    ew_result result;
+    do {
+        is_ready = -1;
+        error = untouched;
+        result = ew_prepare(f->effect, prepared, frame, &is_ready, &error);
+        check_error(f, result, &error, &untouched);
+        require(f, result == EW_OK ? is_ready == 0 || is_ready == 1 : is_ready == -1, "is_ready is neither set nor left alone");
+    } while (is_ready == 0);
     error = untouched;
     result = ew_update_uniform_buffer(f->effect, frame, &buffer, &error);
     check_error(f, result, &error, &untouched);
