@@ -81,6 +81,24 @@ static unsigned with_kinds(unsigned key, unsigned kinds, size_t first)
 
 /* ---- Shaders of the library ---- */
 
+static const char *const pass_names[EW_PASS_COUNT] = {[EW_PASS_WAVE] = "",
+                                                      [EW_PASS_NODES] = "nodes-",
+                                                      [EW_PASS_FIELD] = "field-",
+                                                      [EW_PASS_PEAK] = "peak-",
+                                                      [EW_PASS_CLASSES] = "classes-",
+                                                      [EW_PASS_CELLS] = "cells-",
+                                                      [EW_PASS_INTERPOLATION] = "interpolation-"};
+
+static void write_pass(const shader_profile *profile, ew_pass pass, unsigned key)
+{
+    ew_shader_text text;
+    unsigned pass_key = ew_permutation_of_pass(pass, key);
+    ew_write_fragment_shader(&text, &profile->dialect, pass, pass_key);
+    write_strings(profile->name, pass_names[pass], pass_key, "frag", text.strings, text.count);
+    ew_write_vertex_shader(&text, &profile->dialect, pass, pass_key);
+    write_strings(profile->name, pass_names[pass], pass_key, "vert", text.strings, text.count);
+}
+
 static void write_fragment_shader(const shader_profile *profile, unsigned key)
 {
     ew_shader_text text;
@@ -128,6 +146,14 @@ static void write_all_integrals(const shader_profile *profile)
     }
 }
 
+/* The passes of adaptive resolution. */
+static void write_grid_passes(const shader_profile *profile, unsigned key)
+{
+    if (key & EW_PERMUTATION_EVALUATIONS) return;
+    for (int pass = EW_PASS_WAVE + 1; pass < EW_PASS_COUNT; ++pass)
+        write_pass(profile, (ew_pass)pass, key);
+}
+
 /* All that main() can do, with each field: without sources, and with all kinds. */
 static void write_passes(const shader_profile *profile)
 {
@@ -145,8 +171,10 @@ static void write_passes(const shader_profile *profile)
             for (int field = 0; field < FIELD_COUNT; ++field) {
                 unsigned key = depths[depth] | outputs[output] | fields[field];
                 write_fragment_shader(profile, key);
+                write_grid_passes(profile, key);
                 key |= EW_PERMUTATION_WEIGHTS | EW_PERMUTATION_JOINTS | EW_PERMUTATION_BENDS | EW_PERMUTATION_CORE_PIXELS;
                 write_fragment_shader(profile, with_kinds(key, all_kinds, EW_ANY_COUNT));
+                write_grid_passes(profile, with_kinds(key, all_kinds, EW_ANY_COUNT));
                 write_fragment_shader(profile, with_kinds(key | EW_PERMUTATION_SIMPSON, all_kinds, 1));
             }
 }
@@ -181,8 +209,10 @@ static void write_includes(const shader_profile *profile)
         for (int field = 0; field < FIELD_COUNT; ++field) {
             unsigned flags = simpson | fields[field];
             write_include(profile, flags);
-            for (int kind = 0; kind < EW_KIND_COUNT; ++kind)
+            for (int kind = 0; kind < EW_KIND_COUNT; ++kind) {
                 write_include(profile, ew_permutation_with_count(flags, kind, (size_t)kind % 4 + 1));
+                if (!simpson) write_grid_passes(profile, ew_permutation_with_count(flags, kind, (size_t)kind % 4 + 1));
+            }
             write_include(profile, with_kinds(flags | extras, all_kinds, EW_ANY_COUNT));
         }
 }
