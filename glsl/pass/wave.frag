@@ -41,13 +41,13 @@ void main()
     // The mean of what is done to the target, not of the depths: a pixel on a silhouette is no wall half way.
     ew_color = vec4(0.0);
     for (int i = ew_samples.x; i < ew_samples.y; ++i) {
-        segment.end = span * ew_opaque_parameter(pixel, i);
+        segment.end = ew_end_of_ray(ew_opaque_parameter(pixel, i));
         ew_color += ew_shade(segment);
     }
     ew_color /= float(ew_samples.y - ew_samples.x);
 #else
 #ifdef EW_DEPTH
-    segment.end = span * ew_opaque_parameter(pixel);
+    segment.end = ew_end_of_ray(ew_opaque_parameter(pixel));
 #endif
     ew_color = ew_shade(segment);
 #endif

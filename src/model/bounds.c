@@ -6,8 +6,6 @@
 /* How many times as far as the nearest thing that matters the interval goes for a source without an end. A ray that is not
  * along an infinite line leaves its reach long before. */
 #define ENDLESS_RATIO 1e4
-/* The first depth of a perspective view over the last: the eye itself has no window depth. */
-#define MIN_DEPTH_RATIO 1e-9
 
 static void to_view(const ew_view *view, const double world[3], double out[3])
 {
@@ -67,7 +65,7 @@ ew_interval ew_lit_interval(const ew_sources *sources, const ew_view *view, doub
         interval.end = fmax(range.most, first + range.endless);
     }
     if (!(interval.end > interval.start)) return (ew_interval){first + 1, first + 2};
-    if (!ew_is_parallel(view)) interval.start = fmax(interval.start, MIN_DEPTH_RATIO * interval.end);
+    if (!ew_is_parallel(view) && interval.start < EW_MIN_DEPTH_RATIO * interval.end) interval.start = 0;
     return interval;
 }
 
