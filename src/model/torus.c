@@ -45,6 +45,7 @@ const ew_kind ew_torus_kind = {
     .check = check,
     .bound = bound,
     .pack = pack,
-    .adaptive_files = {ew_glsl_torus_side_glsl, ew_glsl_torus_core_glsl, ew_glsl_torus_panel_glsl, ew_glsl_torus_glsl},
+    .adaptive_files = {ew_glsl_torus_side_glsl, ew_glsl_torus_core_glsl, ew_glsl_torus_part_glsl, ew_glsl_torus_panel_glsl,
+                       ew_glsl_torus_glsl},
     .sampling_files = {ew_glsl_torus_distance_glsl},
 };
