@@ -49,19 +49,26 @@ float ew_integrate_torus_panels(ew_torus_side near, vec2 near_core, ew_torus_sid
 float ew_integrate_torus_part(ew_torus_ray ray, ew_torus_zeros zeros, ew_torus_part part, vec4 glow)
 {
     float reach = glow.y > 0.0 ? glow.y : 1e15;
-    vec2 lit = ew_torus_edges(part, reach * reach, ew_guess_torus_edge(ray, zeros, part.side.radius, reach));
+    vec2 lit = ew_torus_edges(part, vec3(reach * reach, 0.0, 0.0), ew_guess_torus_edge(ray, zeros, part.side.radius, reach));
     part.side.begin = lit.x;
     part.side.end = lit.y;
-    float core2 = ew_core2(glow, ray.center + part.side.depth_slope * part.nearest);
-    float core_radius = sqrt(core2);
+    vec3 core2 = ew_torus_core2(ray, part.side, glow);
+    float core_radius = sqrt(ew_quadratic(core2, part.nearest));
     vec2 core = ew_torus_edges(part, core2, ew_guess_torus_edge(ray, zeros, part.side.radius, core_radius));
     ew_torus_side none = part.side;
     none.end = 0.0;
-    float panels = ew_integrate_torus_panels(none, vec2(0.0), part.side, core) / ray.direction2;
-    float s_lit = ray.center + part.side.depth_slope * lit.x;
-    float s_end = ray.center + part.side.depth_slope * lit.y;
-    float measure = ew_measure(min(s_lit, s_end), max(s_lit, s_end));
-    return lit.x < lit.y ? panels + ew_integrate_torus_core(part.side, core, core_radius) - ew_inverse_reach(glow) * measure : 0.0;
+    float sum = ew_integrate_torus_panels(none, vec2(0.0), part.side, core) / ray.direction2;
+#if defined(EW_WORLD) && defined(EW_CORE_PIXELS)
+    sum += ew_integrate_core(sqrt(vec2(ew_quadratic(core2, core.x), ew_quadratic(core2, core.y))), core.y - core.x);
+#else
+    sum += ew_integrate_torus_core(part.side, core, core_radius);
+#endif
+#ifdef EW_WORLD
+    float measure = lit.y - lit.x;
+#else
+    float measure = (lit.y - lit.x) / ((part.side.depth + part.side.depth_slope * lit.x) * (part.side.depth + part.side.depth_slope * lit.y));
+#endif
+    return lit.x < lit.y ? sum - ew_inverse_reach(glow) * measure : 0.0;
 }
 
 // The integral over a segment of 1 / max(r', distance to a torus) - 1 / R, where that is positive. From the cut on the distance falls

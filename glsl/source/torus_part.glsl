@@ -70,15 +70,33 @@ ew_torus_part ew_make_torus_part(ew_torus_ray ray, ew_torus_side side, float nea
     return ew_torus_part(side, nearest, ew_torus_distance_squared(side, nearest), abs(slope.x), max(slope.y, 0.0));
 }
 
+float ew_quadratic(vec3 coefficients, float x)
+{
+    return coefficients.x + x * (2.0 * coefficients.y + coefficients.z * x);
+}
+
+// The squared radius of the core, as a quadratic function of x.
+vec3 ew_torus_core2(ew_torus_ray ray, ew_torus_side side, vec4 glow)
+{
+#ifdef EW_CORE_PIXELS
+    float growth = ew_frame.core_floor.x;
+    float depth = ew_view_depth.x + ray.center * ew_view_depth.y;
+    float depth_slope = side.depth_slope * ew_view_depth.y;
+    return vec3(ew_core2(glow, ray.center), growth * depth * depth_slope, growth * depth_slope * depth_slope);
+#else
+    return vec3(glow.x * glow.x, 0.0, 0.0);
+#endif
+}
+
 // Where the squared distance is level2 on both sides of `nearest`: by Newton's method, and bisection where that would leave the
 // bracket. It starts from the nearer of the edges that a parabola has and `guess`, which holds where the ray runs along the torus. An
 // error counts by its square. Where even `nearest` is beyond, side.end twice.
-vec2 ew_torus_edges(ew_torus_part part, float level2, float guess)
+vec2 ew_torus_edges(ew_torus_part part, vec3 level2, float guess)
 {
     ew_torus_side side = part.side;
     vec2 away = vec2(-1.0, 1.0);
     vec2 room = vec2(part.nearest - side.begin, side.end - part.nearest);
-    float excess = max(level2 - part.distance2, 0.0);
+    float excess = max(ew_quadratic(level2, part.nearest) - part.distance2, 0.0);
     float root = sqrt(part.slope * part.slope + part.curvature * excess);
     vec2 y = min(vec2(min(excess / max(part.slope + root, 1e-30), guess)), room);
     vec2 inside = vec2(0.0);
@@ -90,17 +108,18 @@ vec2 ew_torus_edges(ew_torus_part part, float level2, float guess)
         vec2 from_axis = sqrt(max(side.from_axis2 + x * (side.outward + outward), 1e-30));
         vec2 beyond_radius = from_axis - side.radius;
         vec2 height = side.height + side.height_slope * x;
-        vec2 beyond = beyond_radius * beyond_radius + height * height - level2;
-        vec2 slope = 2.0 * away * (beyond_radius * outward / from_axis + height * side.height_slope);
+        vec2 beyond = beyond_radius * beyond_radius + height * height
+                      - (level2.x + x * (2.0 * level2.y + level2.z * x));
+        vec2 slope = 2.0 * away * (beyond_radius * outward / from_axis + height * side.height_slope - level2.y - level2.z * x);
         bvec2 is_outside = greaterThan(beyond, vec2(0.0));
         outside = mix(outside, y, is_outside);
         inside = mix(y, inside, is_outside);
         vec2 next = y - beyond / max(slope, 1e-30);
         bvec2 is_off = not(bvec2(next.x >= inside.x && next.x <= outside.x, next.y >= inside.y && next.y <= outside.y));
-        y = mix(next, 0.5 * (inside + outside), is_off);
+        y = clamp(mix(next, 0.5 * (inside + outside), is_off), 0.25 * y, 2.0 * y);
     } while (++step < 6);
     bvec2 is_open = lessThan(vec2(ew_torus_distance_squared(side, side.begin), ew_torus_distance_squared(side, side.end)),
-                             vec2(level2));
+                             vec2(ew_quadratic(level2, side.begin), ew_quadratic(level2, side.end)));
     y = mix(y, room, is_open);
     return excess > 0.0 ? part.nearest + away * y : vec2(side.end);
 }
