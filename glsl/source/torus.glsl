@@ -49,34 +49,35 @@ float ew_integrate_torus_panels(ew_torus_side near, vec2 near_core, ew_torus_sid
 }
 
 #ifdef EW_REACH
-// The light of a part, within reach: direction2 times the integral.
+// The integral over a part of 1 / max(r', distance) - 1 / R, where that is positive.
 float ew_integrate_torus_part(ew_torus_ray ray, ew_torus_zeros zeros, ew_torus_part part, vec4 glow)
 {
+    float sum = 0.0;
     float reach = glow.y > 0.0 ? glow.y : 1e15;
     vec2 lit = ew_torus_edges(part, vec3(reach * reach, 0.0, 0.0), ew_guess_torus_edge(ray, zeros, part.side.radius, reach));
-    part.side.begin = lit.x;
-    part.side.end = lit.y;
-    vec3 core2 = ew_torus_core2(ray, part.side, glow);
-    float core_radius = sqrt(ew_quadratic(core2, part.nearest));
-    vec2 core = ew_torus_edges(part, core2, ew_guess_torus_edge(ray, zeros, part.side.radius, core_radius));
-    ew_torus_side none = part.side;
-    none.end = 0.0;
-    float sum = ew_integrate_torus_panels(none, vec2(0.0), part.side, core) / ray.direction2;
+    if (lit.x < lit.y) {
+        part.side.begin = lit.x;
+        part.side.end = lit.y;
+        vec3 core2 = ew_torus_core2(ray, part.side, glow);
+        float radius = sqrt(ew_quadratic(core2, part.nearest));
+        vec2 core = ew_torus_edges(part, core2, ew_guess_torus_edge(ray, zeros, part.side.radius, radius));
+        ew_torus_side none = part.side;
+        none.end = 0.0;
+        sum = ew_integrate_torus_panels(none, vec2(0.0), part.side, core) / ray.direction2;
 #if defined(EW_WORLD) && defined(EW_CORE_PIXELS)
-    sum += ew_integrate_core(sqrt(vec2(ew_quadratic(core2, core.x), ew_quadratic(core2, core.y))), core.y - core.x);
+        vec2 radii = sqrt(vec2(ew_quadratic(core2, core.x), ew_quadratic(core2, core.y)));
+        sum += ew_integrate_core(radii, core.y - core.x);
 #else
-    sum += ew_integrate_torus_core(part.side, core, core_radius);
+        sum += ew_integrate_torus_core(part.side, core, radius);
 #endif
-#ifdef EW_WORLD
-    float measure = lit.y - lit.x;
-#else
-    float measure = (lit.y - lit.x) / ((part.side.depth + part.side.depth_slope * lit.x) * (part.side.depth + part.side.depth_slope * lit.y));
-#endif
-    return lit.x < lit.y ? sum - ew_inverse_reach(glow) * measure : 0.0;
+        sum -= ew_integrate_torus_core(part.side, lit, reach);
+    }
+    return sum;
 }
 
-// The integral over a segment of 1 / max(r', distance to a torus) - 1 / R, where that is positive. From the cut on the distance falls
-// on one side, and grows on the other, on which it may fall once more: three parts in all.
+// The integral over a segment of 1 / max(r', distance to a torus) - 1 / R, where that is positive. From the cut on, the distance falls
+// on one side of it and grows on the other, on which it may fall once more: so there are three parts at the most. Relative error 3e-4
+// at worst in the scenes of tori at a tolerance of 1e-3.
 float ew_integrate(ew_segment segment, ew_torus_block torus, vec2 chord, float others)
 {
     float radius = ew_radius(torus);
@@ -91,7 +92,7 @@ float ew_integrate(ew_segment segment, ew_torus_block torus, vec2 chord, float o
         rising = near;
         falling = far;
     }
-    float nearest = ew_nearest_to_torus(ray, rising);
+    float nearest = ew_last_approach_to_torus(ray, rising);
     float farthest = ew_farthest_from_torus(ray, rising, nearest);
     float sum = 0.0;
     int part = 0;
@@ -100,7 +101,7 @@ float ew_integrate(ew_segment segment, ew_torus_block torus, vec2 chord, float o
         if (part == 0) side = falling;
         side.begin = part == 1 ? farthest : 0.0;
         side.end = part == 2 ? farthest : side.end;
-        float place = part == 0 ? ew_nearest_to_torus(ray, falling) : part == 1 ? nearest : 0.0;
+        float place = part == 0 ? ew_last_approach_to_torus(ray, falling) : part == 1 ? nearest : 0.0;
         sum += ew_integrate_torus_part(ray, zeros, ew_make_torus_part(ray, side, place), torus.glow);
     } while (++part < (farthest > 0.0 ? 3 : 2));
     return sum;

@@ -25,11 +25,7 @@ ew_torus_ray ew_make_torus_ray(ew_segment segment, ew_torus_block torus, vec2 pa
     vec3 axis = torus.axis.xyz;
     ew_torus_ray ray;
     vec3 offset = segment.origin - torus.center.xyz;
-#ifdef EW_REACH
-    float start_height = torus.center.w + dot(segment.origin, axis);
-#else
     float start_height = dot(offset, axis);
-#endif
     ray.height_slope = dot(segment.direction, axis);
     vec3 across = segment.direction - ray.height_slope * axis;
     offset -= start_height * axis;

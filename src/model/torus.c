@@ -33,7 +33,7 @@ static ew_result pack(const void *source, const ew_source_name *name, const ew_r
     ew_ray_space_place(space, torus->center, center);
     ew_normalize(torus->axis, world_axis);
     ew_ray_space_turn(space, world_axis, axis);
-    packed->center = ew_pack(center, -ew_dot(center, axis));
+    packed->center = ew_pack(center, 0);
     packed->axis = ew_pack(axis, radius);
     ew_result result = ew_check_coordinates(name, center, error);
     return result == EW_OK ? ew_check_coordinates(name, (double[]){radius, 0, 0}, error) : result;
