@@ -10,7 +10,7 @@ float ew_integrate_torus_panels(ew_torus_side near, vec2 near_core, ew_torus_sid
     float longest = ew_tolerance() > 3e-3 ? 8.0 : ew_tolerance() > 3e-4 ? 4.0 : 0.6;
 #ifdef EW_SHARPNESS
     // The relative error grows by the sharpness.
-    longest *= inversesqrt(max(far.glow.z, 1.0));
+    longest /= max(far.glow.z, 1.0);
 #endif
     bool is_near = near.end > 0.0;
     ew_torus_side side = far;
