@@ -117,8 +117,8 @@ float ew_atanh_series(float x2)
 }
 
 #ifdef EW_CORE_PIXELS
-// The integral of 1 / r' over a part of a core, between whose ends r' grows from radius.x to radius.y or falls: a closed form of its own,
-// that of a reciprocal distance from the eye.
+// The integral of 1 / r' over a part of a core, between whose ends r' grows from radius.x to radius.y or falls: a closed form
+// of its own, that of a reciprocal distance from the eye.
 float ew_integrate_core(vec2 radius, float size)
 {
     float q = size / (radius.x + radius.y);

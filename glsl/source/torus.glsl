@@ -75,9 +75,9 @@ float ew_integrate_torus_part(ew_torus_ray ray, ew_torus_zeros zeros, ew_torus_p
     return sum;
 }
 
-// The integral over a segment of 1 / max(r', distance to a torus) - 1 / R, where that is positive. From the cut on, the distance falls
-// on one side of it and grows on the other, on which it may fall once more: so there are three parts at the most. Relative error 3e-4
-// at worst in the scenes of tori at a tolerance of 1e-3.
+// The integral over a segment of 1 / max(r', distance to a torus) - 1 / R, where that is positive. From the cut on, the
+// distance falls on one side of it and grows on the other, on which it may fall once more: so there are three parts at the
+// most. Relative error 3e-4 at worst in the scenes of tori at a tolerance of 1e-3.
 float ew_integrate(ew_segment segment, ew_torus_block torus, vec2 chord, float others)
 {
     float radius = ew_radius(torus);

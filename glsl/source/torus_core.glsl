@@ -1,5 +1,5 @@
-// The core of a torus, in which the field is constant. Each side of the ray is taken to have one piece of core; docs/method.md,
-// section 5, says what a second one costs.
+// The core of a torus, in which the field is constant. Without a reach, each side of the ray is taken to have one piece of core;
+// docs/method.md, section 5, says what a second one costs.
 
 float ew_torus_distance_squared(ew_torus_side side, float x)
 {
@@ -27,6 +27,7 @@ float ew_nearest_to_torus(ew_torus_side side)
     return clamp(side.own_zero.x - pull, 0.0, side.end);
 }
 
+#ifndef EW_REACH
 // One step of Newton's method from both `edges`, relative to `nearest`, towards squared distance epsilon2. A step at most
 // doubles the way from `nearest` and at most takes three quarters of it off, since the squared distance is no parabola where
 // the ray runs along the torus. `room` bounds the edges.
@@ -66,6 +67,7 @@ vec2 ew_torus_core(ew_torus_side side, float distance2_at_cut, float edge_guess,
     }
     return is_entered ? nearest + edges : vec2(side.end);
 }
+#endif
 
 // The integral over the core of 1 / (epsilon depth^2), exact but for rounding.
 float ew_integrate_torus_core(ew_torus_side side, vec2 core, float epsilon)

@@ -1,9 +1,9 @@
-// The parts of a ray beside a torus within reach: on each, the distance falls up to one place and grows from there on. docs/method.md,
-// section 11, has the derivation.
+// The parts of a ray beside a torus within reach: on each, the distance falls up to one place and grows from there on.
+// docs/method.md, section 11, has the derivation.
 #ifdef EW_REACH
 
-// Half the derivative of the squared distance at x, and half its second derivative. With q the slope of the distance from the axis,
-// the first is outward + height height_slope - radius q, and the second direction2 - radius dq/dx.
+// Half the derivative of the squared distance at x, and half its second derivative. With q the slope of the distance from the
+// axis, the first is outward + height height_slope - radius q, and the second direction2 - radius dq/dx.
 vec2 ew_torus_slope(ew_torus_ray ray, ew_torus_side side, float x)
 {
     float outward = side.outward + side.across2 * x;
@@ -14,9 +14,9 @@ vec2 ew_torus_slope(ew_torus_ray ray, ew_torus_side side, float x)
                 ray.direction2 - side.radius * ray.moment2 / from_axis2 / from_axis);
 }
 
-// Where the slope has its last zero, beyond which the distance only grows. The slope is a convex function of x. It falls up to the
-// place `flat_at`, and is positive from `steep_at` on, as q is at most sqrt(across2). From any place between, Newton's method comes
-// down to that zero.
+// Where the slope has its last zero, beyond which the distance only grows. The slope is a convex function of x. It falls up to
+// the place `flat_at`, and is positive from `steep_at` on, as q is at most sqrt(across2). From any place between, Newton's
+// method comes down to that zero.
 float ew_last_approach_to_torus(ew_torus_ray ray, ew_torus_side side)
 {
     float pull = side.radius * sqrt(side.across2) - side.outward - side.height * side.height_slope;
@@ -32,8 +32,9 @@ float ew_last_approach_to_torus(ew_torus_ray ray, ew_torus_side side)
     return min(x, side.end);
 }
 
-// Where the distance, which grows from the cut on, is largest before it falls to `nearest`. With q as a share of its largest value,
-// sqrt(across2), the slope is a convex function of q, too. So from where x would be 0, Newton's method goes up to its first zero.
+// Where the distance, which grows from the cut on, is largest before it falls to `nearest`. With q as a share of its largest
+// value, sqrt(across2), the slope is a convex function of q, too. So from where x would be 0, Newton's method goes up to its
+// first zero.
 float ew_farthest_from_torus(ew_torus_ray ray, ew_torus_side side, float nearest)
 {
     float scale = sqrt(ray.moment2) / side.across2;
@@ -89,10 +90,10 @@ vec3 ew_torus_core2(ew_torus_ray ray, ew_torus_side side, vec4 glow)
 #endif
 }
 
-// Where the squared distance is `level2`, a quadratic function, on both sides of `nearest`: by Newton's method, and by bisection where
-// that would leave the bracket. It starts from the nearer of the edges that a parabola would have and `guess`, which holds where the
-// ray runs along the torus. As steps are bounded by factors, rounding cannot throw an edge far away. An error counts by its square.
-// If even `nearest` is beyond, both edges are side.end.
+// Where the squared distance is `level2`, a quadratic function, on both sides of `nearest`: by Newton's method, and by
+// bisection where that would leave the bracket. It starts from the nearer of the edges that a parabola would have and `guess`,
+// which holds where the ray runs along the torus. As steps are bounded by factors, rounding cannot throw an edge far away. An
+// error counts by its square. If even `nearest` is beyond, both edges are side.end.
 vec2 ew_torus_edges(ew_torus_part part, vec3 level2, float guess)
 {
     ew_torus_side side = part.side;
