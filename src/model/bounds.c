@@ -30,7 +30,7 @@ static double first_depth(const ew_view *view)
 typedef struct depth_range {
     const ew_view *view;
     double core_growth;
-    double least, most; /* of the balls that have an end */
+    double least, most; /* the least of all, the most of the balls that have an end */
     double endless;     /* the largest depth at which one that has none may shine; < 0: there is none */
 } depth_range;
 
@@ -38,6 +38,34 @@ typedef struct depth_range {
 static double last_depth(const depth_range *range, double reach)
 {
     return range->core_growth > 0 ? reach / range->core_growth : HUGE_VAL;
+}
+
+/* How long a ray of the picture is at the most, per unit of view depth. */
+static double longest_ray(const ew_view *view)
+{
+    double longest = 0;
+    for (int corner = 0; corner < 4; ++corner) {
+        double x = corner & 1 ? 1 : -1, y = corner & 2 ? 1 : -1, start[2], end[2];
+        ew_ray_at(view, x, y, 0, start);
+        ew_ray_at(view, x, y, 1, end);
+        longest = fmax(longest, sqrt(1 + pow(end[0] - start[0], 2) + pow(end[1] - start[1], 2)));
+    }
+    return longest;
+}
+
+/* No ray of a perspective view is lit by a line before it is as long as the line's light is far away. */
+static double first_depth_of_line(const ew_view *view, const ew_ball *line, const double center[3], double reach)
+{
+    double axis[3], start[2];
+    if (ew_is_parallel(view)) return -HUGE_VAL;
+    for (int row = 0; row < 3; ++row)
+        axis[row] = ew_element(view->view, row, 0) * line->axis[0] + ew_element(view->view, row, 1) * line->axis[1] +
+                    ew_element(view->view, row, 2) * line->axis[2];
+    double along = ew_dot(center, axis), square = 0;
+    for (int i = 0; i < 3; ++i)
+        square += pow(center[i] - along * axis[i], 2);
+    ew_ray_at(view, 0, 0, 0, start);
+    return (sqrt(square) - reach - hypot(start[0], start[1])) / longest_ray(view);
 }
 
 static void take_depths(void *user, const ew_ball *ball, double reach)
@@ -48,6 +76,7 @@ static void take_depths(void *user, const ew_ball *ball, double reach)
     if (isinf(ball->radius)) {
         double far = ENDLESS_RATIO * (sqrt(ew_dot(center, center)) + reach);
         range->endless = fmax(range->endless, fmin(far, last));
+        range->least = fmin(range->least, first_depth_of_line(range->view, ball, center, reach));
         return;
     }
     range->least = fmin(range->least, -center[2] - ball->radius);
@@ -60,10 +89,7 @@ ew_interval ew_lit_interval(const ew_sources *sources, const ew_view *view, doub
     depth_range range = {view, ew_is_parallel(view) ? 0 : core_growth, HUGE_VAL, -HUGE_VAL, -1};
     ew_sources_for_each_lit_ball(sources, take_depths, &range);
     ew_interval interval = {fmax(range.least, first), range.most};
-    if (range.endless >= 0) {
-        interval.start = first;
-        interval.end = fmax(range.most, first + range.endless);
-    }
+    if (range.endless >= 0) interval.end = fmax(range.most, first + range.endless);
     if (!(interval.end > interval.start)) return (ew_interval){first + 1, first + 2};
     if (!ew_is_parallel(view) && interval.start < EW_MIN_DEPTH_RATIO * interval.end) interval.start = 0;
     return interval;

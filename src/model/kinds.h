@@ -32,7 +32,8 @@ typedef struct ew_emission {
 /* A ball in the world around all of a source. */
 typedef struct ew_ball {
     double center[3];
-    double radius; /* HUGE_VAL: the source has no end */
+    double radius;  /* HUGE_VAL: the source is a line without an end, */
+    double axis[3]; /* along this unit vector */
 } ew_ball;
 
 /* A source's weights along its length, as the uniform block has them; pieces is 0 for a source without. */

@@ -20,7 +20,7 @@ static ew_result check(const void *source, const ew_source_name *name, ew_error 
 static ew_ball bound(const void *source)
 {
     const ew_torus *torus = source;
-    return (ew_ball){{torus->center[0], torus->center[1], torus->center[2]}, torus->radius};
+    return (ew_ball){.center = {torus->center[0], torus->center[1], torus->center[2]}, .radius = torus->radius};
 }
 
 static ew_result pack(const void *source, const ew_source_name *name, const ew_ray_space *space, const ew_weight_range *weights,
