@@ -54,18 +54,19 @@ float ew_integrate_torus_part(ew_torus_ray ray, ew_torus_zeros zeros, ew_torus_p
 {
     float sum = 0.0;
     float reach = glow.y > 0.0 ? glow.y : 1e15;
-    vec2 lit = ew_torus_edges(part, vec3(reach * reach, 0.0, 0.0), ew_guess_torus_edge(ray, zeros, part.side.radius, reach));
+    ew_torus_level reach2 = ew_torus_level(reach * reach, 0.0, 0.0, 0.0);
+    vec2 lit = ew_torus_edges(part, reach2, ew_guess_torus_edge(ray, zeros, part.side.radius, reach));
     if (lit.x < lit.y) {
         part.side.begin = lit.x;
         part.side.end = lit.y;
-        vec3 core2 = ew_torus_core2(ray, part.side, glow);
-        float radius = sqrt(ew_quadratic(core2, part.nearest));
+        ew_torus_level core2 = ew_torus_core2(ray, part.side, glow);
+        float radius = sqrt(ew_level_at(core2, part.nearest));
         vec2 core = ew_torus_edges(part, core2, ew_guess_torus_edge(ray, zeros, part.side.radius, radius));
         ew_torus_side none = part.side;
         none.end = 0.0;
         sum = ew_integrate_torus_panels(none, vec2(0.0), part.side, core) / ray.direction2;
 #if defined(EW_WORLD) && defined(EW_CORE_PIXELS)
-        vec2 radii = sqrt(vec2(ew_quadratic(core2, core.x), ew_quadratic(core2, core.y)));
+        vec2 radii = sqrt(vec2(ew_level_at(core2, core.x), ew_level_at(core2, core.y)));
         sum += ew_integrate_core(radii, core.y - core.x);
 #else
         sum += ew_integrate_torus_core(part.side, core, radius);

@@ -72,34 +72,40 @@ ew_torus_part ew_make_torus_part(ew_torus_ray ray, ew_torus_side side, float nea
     return ew_torus_part(side, nearest, ew_torus_distance_squared(side, nearest), abs(slope.x), max(slope.y, 0.0));
 }
 
-// coefficients.x + 2 coefficients.y x + coefficients.z x^2
-float ew_quadratic(vec3 coefficients, float x)
+// A squared distance that may grow with view depth: constant + growth (depth + depth_slope x)^2.
+struct ew_torus_level {
+    float constant;
+    float growth;
+    float depth;
+    float depth_slope;
+};
+
+float ew_level_at(ew_torus_level level, float x)
 {
-    return coefficients.x + x * (2.0 * coefficients.y + coefficients.z * x);
+    return level.constant + level.growth * ew_square(level.depth + level.depth_slope * x);
 }
 
-// The squared radius of the core, as the coefficients of ew_quadratic.
-vec3 ew_torus_core2(ew_torus_ray ray, ew_torus_side side, vec4 glow)
+// The squared radius of the core.
+ew_torus_level ew_torus_core2(ew_torus_ray ray, ew_torus_side side, vec4 glow)
 {
 #ifdef EW_CORE_PIXELS
-    float depth = ew_view_depth.x + ray.center * ew_view_depth.y;
-    float depth_slope = side.depth_slope * ew_view_depth.y;
-    return vec3(ew_core2(glow, ray.center), ew_frame.core_floor.x * vec2(depth * depth_slope, depth_slope * depth_slope));
+    return ew_torus_level(ew_core_radius2(glow), ew_frame.core_floor.x, ew_view_depth.x + ray.center * ew_view_depth.y,
+                          side.depth_slope * ew_view_depth.y);
 #else
-    return vec3(glow.x * glow.x, 0.0, 0.0);
+    return ew_torus_level(glow.x * glow.x, 0.0, 0.0, 0.0);
 #endif
 }
 
-// Where the squared distance is `level2`, a quadratic function, on both sides of `nearest`: by Newton's method, and by
-// bisection where that would leave the bracket. It starts from the nearer of the edges that a parabola would have and `guess`,
-// which holds where the ray runs along the torus. As steps are bounded by factors, rounding cannot throw an edge far away. An
-// error counts by its square. If even `nearest` is beyond, both edges are side.end.
-vec2 ew_torus_edges(ew_torus_part part, vec3 level2, float guess)
+// Where the squared distance is the level on both sides of `nearest`: by Newton's method, and by bisection where that would
+// leave the bracket. It starts from the nearer of the edges that a parabola would have and `guess`, which holds where the ray
+// runs along the torus. As steps are bounded by factors, rounding cannot throw an edge far away. An error counts by its square.
+// If even `nearest` is beyond, both edges are side.end.
+vec2 ew_torus_edges(ew_torus_part part, ew_torus_level level, float guess)
 {
     ew_torus_side side = part.side;
     vec2 away = vec2(-1.0, 1.0);
     vec2 room = vec2(part.nearest - side.begin, side.end - part.nearest);
-    float excess = max(ew_quadratic(level2, part.nearest) - part.distance2, 0.0);
+    float excess = max(ew_level_at(level, part.nearest) - part.distance2, 0.0);
     float root = sqrt(part.slope * part.slope + part.curvature * excess);
     vec2 y = min(vec2(min(excess / max(part.slope + root, 1e-30), guess)), room);
     vec2 inside = vec2(0.0);
@@ -111,9 +117,10 @@ vec2 ew_torus_edges(ew_torus_part part, vec3 level2, float guess)
         vec2 from_axis = sqrt(max(side.from_axis2 + x * (side.outward + outward), 1e-30));
         vec2 beyond_radius = from_axis - side.radius;
         vec2 height = side.height + side.height_slope * x;
-        vec2 level = level2.x + x * (2.0 * level2.y + level2.z * x);
-        vec2 beyond = beyond_radius * beyond_radius + height * height - level;
-        vec2 slope = 2.0 * away * (beyond_radius * outward / from_axis + height * side.height_slope - level2.y - level2.z * x);
+        vec2 depth = level.depth + level.depth_slope * x;
+        vec2 beyond = beyond_radius * beyond_radius + height * height - level.constant - level.growth * depth * depth;
+        vec2 slope = 2.0 * away * (beyond_radius * outward / from_axis + height * side.height_slope
+                                 - level.growth * level.depth_slope * depth);
         bvec2 is_outside = greaterThan(beyond, vec2(0.0));
         outside = mix(outside, y, is_outside);
         inside = mix(y, inside, is_outside);
@@ -122,7 +129,7 @@ vec2 ew_torus_edges(ew_torus_part part, vec3 level2, float guess)
         y = clamp(mix(next, 0.5 * (inside + outside), is_off), 0.25 * y, 2.0 * y);
     } while (++step < 5);
     vec2 at_ends = vec2(ew_torus_distance_squared(side, side.begin), ew_torus_distance_squared(side, side.end));
-    bvec2 is_open = lessThan(at_ends, vec2(ew_quadratic(level2, side.begin), ew_quadratic(level2, side.end)));
+    bvec2 is_open = lessThan(at_ends, vec2(ew_level_at(level, side.begin), ew_level_at(level, side.end)));
     y = mix(y, room, is_open);
     return excess > 0.0 ? part.nearest + away * y : vec2(side.end);
 }
