@@ -72,6 +72,16 @@ float ew_span()
     return ew_frame.decay.w;
 }
 
+// The s at which a ray ends that the opaque scene ends at `share` of the depths of ew_frame_block.
+float ew_end_of_ray(float share)
+{
+#ifdef EW_WORLD
+    return share > 0.0 ? mix(ew_frame.depth_scale.w, ew_span(), share) : 0.0;
+#else
+    return share;
+#endif
+}
+
 int ew_simpson_divisions()
 {
     return ew_frame.simpson.x;

@@ -10,9 +10,11 @@ struct ew_frame_block {
     vec4 ray_center;   // xy: S.xy, zw: V.xy of the ray there
     vec4 ray_right;    // growth of both from one pixel to the next on the right
     vec4 ray_up;       // growth of both from one pixel to the next above
-    vec4 depth_start;  // window depth of S: x + y at pixel_center (a float and its rounding error), zw: growth to the right, up
+    vec4 depth_start;  // window depth of S: x + y at pixel_center (a float and its rounding error), zw: growth to the right, up.
+                       // The eye has none: if S is there, a place close before it stands for S
     vec4 depth_end;    // window depth of E, in the same form
-    vec4 depth_scale;  // x, y: clip w of S and of E, both negated for reversed-Z; z: the depth of no surface; w: unused
+    vec4 depth_scale;  // x, y: clip w where depth_start and depth_end are, both negated for reversed-Z; z: the depth of no surface;
+                       // w: s of depth_start
     vec4 decay;        // x: beta, y: epsilon, z: tolerance of a panel (see ew_tolerance), w: length of the interval
     vec4 ray_space_x;  // x in ray space of a position relative to the eye: dot(ray_space_x, vec4(position, 1))
     vec4 ray_space_y;  // its y

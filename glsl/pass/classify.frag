@@ -117,10 +117,10 @@ ew_relief ew_find_relief(ivec2 first_pixel, int count, int pitch)
             }
         }
     vec2 pixel = vec2(origin + first) + 0.5 - ew_frame.pixel_center.xy;
-    vec2 ends = vec2(ew_parameter_of_depth(pixel, nearest), ew_parameter_of_depth(pixel, farthest));
+    vec2 ends = vec2(ew_end_of_ray(ew_parameter_of_depth(pixel, nearest)), ew_end_of_ray(ew_parameter_of_depth(pixel, farthest)));
     float slope = max(ew_parameter_slope(pixel, nearest), ew_parameter_slope(pixel, farthest));
-    float most = are_numbers ? abs(ends.y - ends.x) * ew_span() : 1e30;
-    float width = float(EW_CELL_SIZE) * length(ew_frame.ray_up.xy + min(ends.x, ends.y) * ew_span() * ew_frame.ray_up.zw);
+    float most = are_numbers ? abs(ends.y - ends.x) : 1e30;
+    float width = float(EW_CELL_SIZE) * length(ew_frame.ray_up.xy + min(ends.x, ends.y) * ew_frame.ray_up.zw);
     return ew_relief(min(most, slope * off * ew_span()), min(most, slope * apart * ew_span()), width);
 }
 

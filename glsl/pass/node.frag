@@ -37,7 +37,7 @@ void main()
     vec2 pixel = vec2(place) + 0.5 - ew_frame.pixel_center.xy;
     ew_segment segment = ew_pixel_segment(pixel);
 #ifdef EW_DEPTH
-    segment.end *= ew_parameter_of_depth(pixel, ew_window_depth_around(place));
+    segment.end = ew_end_of_ray(ew_parameter_of_depth(pixel, ew_window_depth_around(place)));
 #endif
 #ifdef EW_FIELD
     ew_of_node = ew_integrate_all(segment).a;

@@ -10,19 +10,18 @@ void main()
 {
     vec2 pixel = gl_FragCoord.xy - ew_frame.pixel_center.xy;
     ew_segment segment = ew_pixel_segment(pixel);
-    float span = segment.end;
 
 #ifdef EW_DEPTH_MULTISAMPLE
     // The mean of what is done to the target, not of the depths: a pixel on a silhouette is no wall half way.
     ew_color = vec4(0.0);
     for (int i = ew_samples.x; i < ew_samples.y; ++i) {
-        segment.end = span * ew_parameter_of_depth(pixel, ew_window_depth(ivec2(gl_FragCoord.xy), i));
+        segment.end = ew_end_of_ray(ew_parameter_of_depth(pixel, ew_window_depth(ivec2(gl_FragCoord.xy), i)));
         ew_color += ew_composite(ew_integrate_all(segment));
     }
     ew_color /= float(ew_samples.y - ew_samples.x);
 #else
 #ifdef EW_DEPTH
-    segment.end = span * ew_parameter_of_depth(pixel, ew_window_depth(ivec2(gl_FragCoord.xy)));
+    segment.end = ew_end_of_ray(ew_parameter_of_depth(pixel, ew_window_depth(ivec2(gl_FragCoord.xy))));
 #endif
     ew_color = ew_composite(ew_integrate_all(segment));
 #endif

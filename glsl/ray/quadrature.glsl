@@ -116,6 +116,19 @@ float ew_atanh_series(float x2)
     return 2.0 + x2 * (0.66666667 + x2 * (0.4 + x2 * (0.28571429 + x2 * (0.22222222 + x2 * 0.18181818))));
 }
 
+#ifdef EW_CORE_PIXELS
+// The integral of 1 / r' over a part of a core, between whose ends r' grows from radius.x to radius.y or falls: a closed form
+// of its own, that of a reciprocal distance from the eye.
+float ew_integrate_core(vec2 radius, float size)
+{
+    float q = size / (radius.x + radius.y);
+    float x2 = ew_core_growth2() * q * q;
+    float x = sqrt(x2);
+    float logarithm = 0.69314718 * log2((1.0 + x) / max(1.0 - x, 1e-6)) / max(x, 1e-3);
+    return q * (x2 < 0.1 ? ew_atanh_series(x2) : logarithm);
+}
+#endif
+
 // The integral of 1 / sqrt(b2 + k y^2) over y, but for what is between core.x <= 0 and core.y >= 0. Of each side it is
 // 2 atanh(sqrt(k) q) / sqrt(k) with q = length / (sum of the distances at its ends); the sum of both is again of that form, with
 // (q + q') / (1 + k q q'). Where that is no small angle, it is the logarithm of
@@ -152,13 +165,8 @@ float ew_integrate_floored_reciprocal(float b2, float k, float s0, float from, f
     float sides = ew_integrate_outside(b2, k, y, core);
     vec2 inside = clamp(core, y.xx, y.yy);
 #ifdef EW_CORE_PIXELS
-    // In the core the field is 1 / r', a closed form of its own: the integral of a reciprocal distance from the eye.
     vec2 radius = sqrt(vec2(ew_core2(glow, s0 + inside.x), ew_core2(glow, s0 + inside.y)));
-    float q = (inside.y - inside.x) / (radius.x + radius.y);
-    float x2 = ew_core_growth2() * q * q;
-    float x = sqrt(x2);
-    float logarithm = 0.69314718 * log2((1.0 + x) / max(1.0 - x, 1e-6)) / max(x, 1e-3);
-    return sides + q * (x2 < 0.1 ? ew_atanh_series(x2) : logarithm);
+    return sides + ew_integrate_core(radius, inside.y - inside.x);
 #else
     return sides + (inside.y - inside.x) / glow.x;
 #endif

@@ -8,6 +8,10 @@ const int EW_MAX_TORUS_PANELS = 40;
 float ew_integrate_torus_panels(ew_torus_side near, vec2 near_core, ew_torus_side far, vec2 far_core)
 {
     float longest = ew_tolerance() > 3e-3 ? 8.0 : ew_tolerance() > 3e-4 ? 4.0 : 0.6;
+#ifdef EW_SHARPNESS
+    // The relative error grows by the sharpness.
+    longest /= max(far.glow.z, 1.0);
+#endif
     bool is_near = near.end > 0.0;
     ew_torus_side side = far;
     if (is_near) side = near;
@@ -44,6 +48,66 @@ float ew_integrate_torus_panels(ew_torus_side near, vec2 near_core, ew_torus_sid
     return sum;
 }
 
+#ifdef EW_REACH
+// The integral over a part of 1 / max(r', distance) - 1 / R, where that is positive.
+float ew_integrate_torus_part(ew_torus_ray ray, ew_torus_zeros zeros, ew_torus_part part, vec4 glow)
+{
+    float sum = 0.0;
+    float reach = glow.y > 0.0 ? glow.y : 1e15;
+    ew_torus_level reach2 = ew_torus_level(reach * reach, 0.0, 0.0, 0.0);
+    vec2 lit = ew_torus_edges(part, reach2, ew_guess_torus_edge(ray, zeros, part.side.radius, reach));
+    if (lit.x < lit.y) {
+        part.side.begin = lit.x;
+        part.side.end = lit.y;
+        ew_torus_level core2 = ew_torus_core2(ray, part.side, glow);
+        float radius = sqrt(ew_level_at(core2, part.nearest));
+        vec2 core = ew_torus_edges(part, core2, ew_guess_torus_edge(ray, zeros, part.side.radius, radius));
+        ew_torus_side none = part.side;
+        none.end = 0.0;
+        sum = ew_integrate_torus_panels(none, vec2(0.0), part.side, core) / ray.direction2;
+#if defined(EW_WORLD) && defined(EW_CORE_PIXELS)
+        vec2 radii = sqrt(vec2(ew_level_at(core2, core.x), ew_level_at(core2, core.y)));
+        sum += ew_integrate_core(radii, core.y - core.x);
+#else
+        sum += ew_integrate_torus_core(part.side, core, radius);
+#endif
+        sum -= ew_integrate_torus_core(part.side, lit, reach);
+    }
+    return sum;
+}
+
+// The integral over a segment of 1 / max(r', distance to a torus) - 1 / R, where that is positive. From the cut on, the
+// distance falls on one side of it and grows on the other, on which it may fall once more: so there are three parts at the
+// most. Relative error 3e-4 at worst in the scenes of tori at a tolerance of 1e-3.
+float ew_integrate(ew_segment segment, ew_torus_block torus, vec2 chord, float others)
+{
+    float radius = ew_radius(torus);
+    ew_torus_ray ray = ew_make_torus_ray(segment, torus, chord);
+    ew_torus_zeros zeros = ew_find_torus_zeros(ray, radius);
+    ew_torus_side far = ew_make_torus_side(ray, radius, torus.glow, 1.0, chord.y - ray.center, zeros.plus, zeros.minus);
+    ew_torus_side near = ew_make_torus_side(ray, radius, torus.glow, -1.0, ray.center - chord.x, zeros.minus, zeros.plus);
+    bool far_falls = far.end > 0.0 ? ew_torus_slope(ray, far, 0.0).x < 0.0 : ew_torus_slope(ray, near, 0.0).x >= 0.0;
+    ew_torus_side rising = far;
+    ew_torus_side falling = near;
+    if (far_falls) {
+        rising = near;
+        falling = far;
+    }
+    float nearest = ew_last_approach_to_torus(ray, rising);
+    float farthest = ew_farthest_from_torus(ray, rising, nearest);
+    float sum = 0.0;
+    int part = 0;
+    do {
+        ew_torus_side side = rising;
+        if (part == 0) side = falling;
+        side.begin = part == 1 ? farthest : 0.0;
+        side.end = part == 2 ? farthest : side.end;
+        float place = part == 0 ? ew_last_approach_to_torus(ray, falling) : part == 1 ? nearest : 0.0;
+        sum += ew_integrate_torus_part(ray, zeros, ew_make_torus_part(ray, side, place), torus.glow);
+    } while (++part < (farthest > 0.0 ? 3 : 2));
+    return sum;
+}
+#else
 // The integral over a segment of 1 / max(epsilon, distance to a torus), equation (7). Relative error 3.5e-4 at worst in the
 // scenes of tori at a tolerance of 1e-3, except for rounding in tori much larger than the interval.
 float ew_integrate(ew_segment segment, ew_torus_block torus, vec2 chord, float others)
@@ -53,13 +117,6 @@ float ew_integrate(ew_segment segment, ew_torus_block torus, vec2 chord, float o
     ew_torus_zeros zeros = ew_find_torus_zeros(ray, radius);
     ew_torus_side far = ew_make_torus_side(ray, radius, torus.glow, 1.0, chord.y - ray.center, zeros.plus, zeros.minus);
     ew_torus_side near = ew_make_torus_side(ray, radius, torus.glow, -1.0, ray.center - chord.x, zeros.minus, zeros.plus);
-
-#ifdef EW_REACH
-    if (torus.glow.y > 0.0) {
-        far = ew_clip_torus_side(far);
-        near = ew_clip_torus_side(near);
-    }
-#endif
 
     float distance2_at_cut = ew_square(sqrt(ray.from_axis2) - radius) + ray.height * ray.height;
 #ifdef EW_CORE_PIXELS
@@ -76,10 +133,6 @@ float ew_integrate(ew_segment segment, ew_torus_block torus, vec2 chord, float o
     vec2 near_core = ew_torus_core(near, distance2_at_cut, near_guess, ew_square(near_epsilon));
     float cores = ew_integrate_torus_core(far, far_core, far_epsilon) + ew_integrate_torus_core(near, near_core, near_epsilon);
     float sum = cores + ew_integrate_torus_panels(near, near_core, far, far_core) / ray.direction2;
-#ifdef EW_REACH
-    float measure = ew_measure(ray.center + far.begin, ray.center + far.end) +
-                    ew_measure(ray.center - near.end, ray.center - near.begin);
-    sum -= ew_inverse_reach(torus.glow) * measure;
-#endif
     return sum;
 }
+#endif

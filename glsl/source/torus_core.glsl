@@ -1,5 +1,5 @@
-// The core of a torus, in which the field is constant. Each side of the ray is taken to have one piece of core; docs/method.md,
-// section 5, says what a second one costs.
+// The core of a torus, in which the field is constant. Without a reach, each side of the ray is taken to have one piece of core;
+// docs/method.md, section 5, says what a second one costs.
 
 float ew_torus_distance_squared(ew_torus_side side, float x)
 {
@@ -27,6 +27,7 @@ float ew_nearest_to_torus(ew_torus_side side)
     return clamp(side.own_zero.x - pull, 0.0, side.end);
 }
 
+#ifndef EW_REACH
 // One step of Newton's method from both `edges`, relative to `nearest`, towards squared distance epsilon2. A step at most
 // doubles the way from `nearest` and at most takes three quarters of it off, since the squared distance is no parabola where
 // the ray runs along the torus. `room` bounds the edges.
@@ -66,6 +67,7 @@ vec2 ew_torus_core(ew_torus_side side, float distance2_at_cut, float edge_guess,
     }
     return is_entered ? nearest + edges : vec2(side.end);
 }
+#endif
 
 // The integral over the core of 1 / (epsilon depth^2), exact but for rounding.
 float ew_integrate_torus_core(ew_torus_side side, vec2 core, float epsilon)
@@ -77,63 +79,3 @@ float ew_integrate_torus_core(ew_torus_side side, vec2 core, float epsilon)
            (epsilon * (side.depth + side.depth_slope * core.x) * (side.depth + side.depth_slope * core.y));
 #endif
 }
-
-#ifdef EW_REACH
-// Where between `inner`, which is nearest, and `outer` the squared distance is reach2, if it is less at one of them only. It grows
-// about with the square of x - inner; the regula falsi (Illinois) in that square takes few steps. An error counts by its square.
-float ew_torus_edge_of_reach(ew_torus_side side, float reach2, float inner, float outer)
-{
-    float way = outer - inner;
-    vec2 square = vec2(0.0, 1.0);
-    vec2 excess = vec2(ew_torus_distance_squared(side, inner), ew_torus_distance_squared(side, outer)) - reach2;
-    float edge = 0.0;
-    int step = 0;
-    do {
-        edge = square.x - excess.x * (square.y - square.x) / max(excess.y - excess.x, 1e-30);
-        float value = ew_torus_distance_squared(side, inner + way * sqrt(max(edge, 0.0))) - reach2;
-        if (value > 0.0) {
-            square.y = edge;
-            excess = vec2(0.5 * excess.x, value);
-        } else {
-            square.x = edge;
-            excess = vec2(value, 0.5 * excess.y);
-        }
-    } while (++step < 8);
-    return inner + way * sqrt(max(edge, 0.0));
-}
-
-// The place nearest to the torus, by Newton's method from ew_nearest_to_torus on: where the reach is grazed, that is not close
-// enough. With d the distance, p from_axis and q = d(from_axis) / dx, (d^2)' / 2 = (p - radius) q + height height_slope.
-float ew_refine_nearest_to_torus(ew_torus_side side)
-{
-    float x = ew_nearest_to_torus(side);
-    int step = 0;
-    do {
-        float from_axis = sqrt(max(side.from_axis2 + x * (2.0 * side.outward + side.across2 * x), 1e-30));
-        float q = (side.outward + side.across2 * x) / from_axis;
-        float beyond_radius = from_axis - side.radius;
-        float slope = beyond_radius * q + (side.height + side.height_slope * x) * side.height_slope;
-        float curvature = q * q + beyond_radius * (side.across2 - q * q) / from_axis + side.height_slope * side.height_slope;
-        x = clamp(x - slope / max(curvature, 0.1 * (side.across2 + side.height_slope * side.height_slope)), 0.0, side.end);
-    } while (++step < 4);
-    return x;
-}
-
-// The part of a side that is within reach. The distance is taken to fall up to its nearest place and to grow from there on.
-ew_torus_side ew_clip_torus_side(ew_torus_side side)
-{
-    float reach2 = side.glow.y * side.glow.y;
-    float nearest = ew_refine_nearest_to_torus(side);
-    bool is_in_at_cut = ew_torus_distance_squared(side, 0.0) < reach2;
-    bool is_in_at_nearest = ew_torus_distance_squared(side, nearest) < reach2;
-    bool is_in_at_end = ew_torus_distance_squared(side, side.end) < reach2;
-    float begin = is_in_at_cut ? 0.0 : ew_torus_edge_of_reach(side, reach2, nearest, 0.0);
-    float end = is_in_at_end ? side.end
-                             : ew_torus_edge_of_reach(side, reach2, is_in_at_nearest ? nearest : 0.0, side.end);
-    bool is_lit = is_in_at_cut || is_in_at_nearest || is_in_at_end;
-    if (!is_in_at_nearest && is_in_at_end) begin = ew_torus_edge_of_reach(side, reach2, side.end, nearest);
-    side.begin = is_lit ? begin : 0.0;
-    side.end = is_lit ? max(end, begin) : 0.0;
-    return side;
-}
-#endif

@@ -95,7 +95,7 @@ struct ew_torus_side {
     float height_slope;
     float depth;
     float depth_slope; // 1: away from the eye, -1: towards it
-    float begin;       // where the reach begins; 0 without one
+    float begin;       // 0 without a reach
     float end;
     vec4 glow;
     vec2 own_zero;     // where the distance vanishes: on this side of the cut if it vanishes on any

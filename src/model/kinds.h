@@ -33,7 +33,8 @@ typedef struct ew_emission {
 /* A ball in the world around all of a source. */
 typedef struct ew_ball {
     double center[3];
-    double radius; /* HUGE_VAL: the source has no end */
+    double radius;  /* HUGE_VAL: the source is a line without an end, */
+    double axis[3]; /* along this unit vector */
 } ew_ball;
 
 enum { EW_MAX_HULL_CORNERS = 8 };

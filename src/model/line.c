@@ -15,7 +15,9 @@ static ew_result check(const void *source, const ew_source_name *name, ew_error 
 static ew_ball bound(const void *source)
 {
     const ew_line *line = source;
-    return (ew_ball){{line->position[0], line->position[1], line->position[2]}, HUGE_VAL};
+    ew_ball ball = {.center = {line->position[0], line->position[1], line->position[2]}, .radius = HUGE_VAL};
+    ew_normalize(line->direction, ball.axis);
+    return ball;
 }
 
 static ew_hull hull(const void *source)

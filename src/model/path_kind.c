@@ -22,7 +22,7 @@ static ew_result check(const void *source, const ew_source_name *name, ew_error 
 static ew_ball bound(const void *source)
 {
     const ew_path *path = source;
-    ew_ball ball = {{0}, 0};
+    ew_ball ball = {.radius = 0};
     for (size_t i = 0; i < path->point_count; ++i)
         for (int k = 0; k < 3; ++k)
             ball.center[k] += path->points[i][k] / (double)path->point_count;

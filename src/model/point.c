@@ -13,7 +13,7 @@ static ew_result check(const void *source, const ew_source_name *name, ew_error 
 static ew_ball bound(const void *source)
 {
     const ew_point *point = source;
-    return (ew_ball){{point->position[0], point->position[1], point->position[2]}, 0};
+    return (ew_ball){.center = {point->position[0], point->position[1], point->position[2]}};
 }
 
 static ew_hull hull(const void *source)

@@ -22,13 +22,19 @@ ew_result ew_check_interval(const ew_interval *interval, const ew_view *view, ew
     return EW_OK;
 }
 
+/* The first depth of the interval that has a window depth. */
+static double first_window_depth(const ew_view *view, const ew_interval *interval)
+{
+    return interval->start == 0 && !ew_is_parallel(view) ? EW_MIN_DEPTH_RATIO * interval->end : interval->start;
+}
+
 /* Rays and their window depths change linearly over the picture and between the interval's ends, so its corners bound all. */
 ew_result ew_check_rays(const ew_view *view, const ew_interval *interval, ew_error *error)
 {
     double most = EW_MAX_COORDINATE * (interval->end - interval->start);
     for (int corner = 0; corner < 8; ++corner) {
         double x = corner & 1 ? 1 : -1, y = corner & 2 ? 1 : -1, position[2];
-        double depth = corner & 4 ? interval->end : interval->start;
+        double depth = corner & 4 ? interval->end : first_window_depth(view, interval);
         ew_ray_at(view, x, y, depth, position);
         if (!(fabs(position[0]) <= most && fabs(position[1]) <= most))
             return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "projection must show no more than %g times the interval's length",
@@ -81,11 +87,13 @@ void ew_pack_rays(const ew_view *view, const ew_interval *interval, double unit,
     block->ray_right = pack_growth(right, center);
     block->ray_up = pack_growth(up, center);
 
-    block->depth_start = pack_window_depth(view, viewport, interval->start);
+    double first = first_window_depth(view, interval);
+    block->depth_start = pack_window_depth(view, viewport, first);
     block->depth_end = pack_window_depth(view, viewport, interval->end);
-    double w_start = ew_is_parallel(view) ? 1 : interval->start / interval->end;
-    double sign = ew_window_depth_at(view, 0, 0, interval->start) < ew_window_depth_at(view, 0, 0, interval->end) ? 1 : -1;
-    block->depth_scale = (ew_vec4){(float)(sign * w_start), (float)sign, sign > 0 ? 1 : 0, 0};
+    double w_start = ew_is_parallel(view) ? 1 : first / interval->end;
+    double sign = ew_window_depth_at(view, 0, 0, first) < ew_window_depth_at(view, 0, 0, interval->end) ? 1 : -1;
+    block->depth_scale =
+        (ew_vec4){(float)(sign * w_start), (float)sign, sign > 0 ? 1 : 0, (float)((first - interval->start) / unit)};
 }
 
 static ew_vec4 pack_view_depth(double depth)

@@ -5,10 +5,13 @@
 #include "model/ray_space.h"
 #include "model/view.h"
 
-/* The view depths of S and E, between which all rays run. */
+/* The view depths of S and E, between which all rays run. In the world integral S may be the eye of a perspective view. */
 typedef struct ew_interval {
     double start, end;
 } ew_interval;
+
+/* The eye itself has no window depth: there, the first depth that has one is this share of the last. */
+#define EW_MIN_DEPTH_RATIO 1e-9
 
 /* Checks an interval that is seen in a checked view. */
 ew_result ew_check_interval(const ew_interval *interval, const ew_view *view, ew_error *error);

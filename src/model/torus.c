@@ -20,7 +20,7 @@ static ew_result check(const void *source, const ew_source_name *name, ew_error 
 static ew_ball bound(const void *source)
 {
     const ew_torus *torus = source;
-    return (ew_ball){{torus->center[0], torus->center[1], torus->center[2]}, torus->radius};
+    return (ew_ball){.center = {torus->center[0], torus->center[1], torus->center[2]}, .radius = torus->radius};
 }
 
 /* The regular polygon with the circle in it. */
@@ -64,6 +64,7 @@ const ew_kind ew_torus_kind = {
     .chord_file = ew_glsl_torus_chord_glsl,
     .hull = hull,
     .pack = pack,
-    .adaptive_files = {ew_glsl_torus_side_glsl, ew_glsl_torus_core_glsl, ew_glsl_torus_panel_glsl, ew_glsl_torus_glsl},
+    .adaptive_files = {ew_glsl_torus_side_glsl, ew_glsl_torus_core_glsl, ew_glsl_torus_part_glsl, ew_glsl_torus_panel_glsl,
+                       ew_glsl_torus_glsl},
     .sampling_files = {ew_glsl_torus_distance_glsl},
 };
