@@ -105,18 +105,11 @@ float ew_integrate_stretch(ew_arc arc, ew_approaches approaches, float from, flo
     return passage.weight * reciprocal + rest;
 }
 
-// The integral over the part `chord` of a ray; `others`, >= 0 and in the same unit, is what other sources are known to add to it. Relative
-// error 1e-3 at a tolerance of 1e-3, mostly far less; docs/method.md, section 10, has the exceptions.
-float ew_integrate_arc(ew_arc arc, vec2 chord, float others)
+// The parts of `chord` to which the arc's ends are nearest.
+void ew_find_parts(ew_arc arc, ew_cell first_cell, ew_cell last_cell, vec2 chord, out vec2 first, out vec2 last)
 {
-    ew_cell first_cell = ew_cell_of_end(arc, arc.first, 1.0);
-    ew_cell last_cell = ew_cell_of_end(arc, arc.last, -1.0);
-#ifdef EW_REACH
-    // The brightness is known, and light that is a thousandth of it need not be exact to a thousandth of itself.
-    if (arc.glow.y > 0.0) others += 1e-3 / EW_OTHERS_SHARE * 1.386 * log2(max(arc.glow.y / arc.glow.x, 1.0001));
-#endif
-    vec2 first = ew_part_of_cell(arc, first_cell, chord.y);
-    vec2 last = ew_part_of_cell(arc, last_cell, chord.y);
+    first = ew_part_of_cell(arc, first_cell, chord.y);
+    last = ew_part_of_cell(arc, last_cell, chord.y);
 #ifdef EW_REACH
     first = max(first, chord.xx);
     last = max(last, chord.xx);
@@ -126,8 +119,17 @@ float ew_integrate_arc(ew_arc arc, vec2 chord, float others)
         if (first.x <= last.x) last.x = min(first.y, last.y);
         else last.y = first.x;
     }
-    float sum = ew_integrate_end(arc, arc.first, first) + ew_integrate_end(arc, arc.last, last);
+}
 
+// Adds to `sum`, the curve's light so far, that of what the ends' parts `first` and `last` leave of `chord`. `others`, >= 0 and in the
+// same unit, is what other sources are known to add to it. Relative error 1e-3 at a tolerance of 1e-3, mostly far less;
+// docs/method.md, section 10, has the exceptions.
+float ew_add_stretches(ew_arc arc, ew_cell first_cell, ew_cell last_cell, vec2 first, vec2 last, vec2 chord, float sum, float others)
+{
+#ifdef EW_REACH
+    // The brightness is known, and light that is a thousandth of it need not be exact to a thousandth of itself.
+    if (arc.glow.y > 0.0) others += 1e-3 / EW_OTHERS_SHARE * 1.386 * log2(max(arc.glow.y / arc.glow.x, 1.0001));
+#endif
     ew_approaches approaches = ew_find_approaches(arc);
     vec4 splits = ew_find_splits(arc, first_cell, last_cell);
     float from = ew_skip_parts(chord.x, first, last);
@@ -143,5 +145,11 @@ float ew_integrate_arc(ew_arc arc, vec2 chord, float others)
 
 float ew_integrate(ew_segment segment, ew_curve_block curve, vec2 chord, float others)
 {
-    return ew_integrate_arc(ew_make_arc(segment, curve), chord, others);
+    ew_arc arc = ew_make_arc(segment, curve);
+    ew_cell first_cell = ew_cell_of_end(arc, arc.first, 1.0);
+    ew_cell last_cell = ew_cell_of_end(arc, arc.last, -1.0);
+    vec2 first, last;
+    ew_find_parts(arc, first_cell, last_cell, chord, first, last);
+    float sum = ew_integrate_end(arc, arc.first, first) + ew_integrate_end(arc, arc.last, last);
+    return ew_add_stretches(arc, first_cell, last_cell, first, last, chord, sum, others);
 }
