@@ -138,6 +138,22 @@ float ew_integrate_outside(float b2, float k, vec2 y, vec2 core)
     return x2 < 0.1 ? q * ew_atanh_series(x2) : 0.69314718 * log2(power.y / power.x) / root_k;
 }
 
+// The integral over s in [from, to] of 1 / r': of the core, a closed form of its own, a reciprocal distance from the eye. Relative error
+// 1e-6.
+float ew_integrate_core(float from, float to, vec4 glow)
+{
+#ifdef EW_CORE_PIXELS
+    vec2 radius = sqrt(vec2(ew_core2(glow, from), ew_core2(glow, to)));
+    float q = (to - from) / (radius.x + radius.y);
+    float x2 = ew_core_growth2() * q * q;
+    float x = sqrt(x2);
+    float logarithm = 0.69314718 * log2((1.0 + x) / max(1.0 - x, 1e-6)) / max(x, 1e-3);
+    return q * (x2 < 0.1 ? ew_atanh_series(x2) : logarithm);
+#else
+    return (to - from) / glow.x;
+#endif
+}
+
 // The integral over s in [from, to] of 1 / max(r', sqrt(b2 + k (s - s0)^2)): the core, and what lies before and behind it. Relative
 // error 1e-6, of what a ray through the core has.
 float ew_integrate_floored_reciprocal(float b2, float k, float s0, float from, float to, vec4 glow)
@@ -151,17 +167,7 @@ float ew_integrate_floored_reciprocal(float b2, float k, float s0, float from, f
 #endif
     float sides = ew_integrate_outside(b2, k, y, core);
     vec2 inside = clamp(core, y.xx, y.yy);
-#ifdef EW_CORE_PIXELS
-    // In the core the field is 1 / r', a closed form of its own: the integral of a reciprocal distance from the eye.
-    vec2 radius = sqrt(vec2(ew_core2(glow, s0 + inside.x), ew_core2(glow, s0 + inside.y)));
-    float q = (inside.y - inside.x) / (radius.x + radius.y);
-    float x2 = ew_core_growth2() * q * q;
-    float x = sqrt(x2);
-    float logarithm = 0.69314718 * log2((1.0 + x) / max(1.0 - x, 1e-6)) / max(x, 1e-3);
-    return sides + q * (x2 < 0.1 ? ew_atanh_series(x2) : logarithm);
-#else
-    return sides + (inside.y - inside.x) / glow.x;
-#endif
+    return sides + ew_integrate_core(s0 + inside.x, s0 + inside.y, glow);
 }
 #elif defined(EW_CORE_PIXELS)
 // The same with the decay 1 / (s + beta)^2. Relative error 1e-6.
