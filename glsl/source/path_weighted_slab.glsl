@@ -46,17 +46,25 @@ float ew_integrate_weighted_part(ew_segment segment, ew_slab slab, vec2 part, ve
     return sum;
 }
 #else
-// The integral over [from, to], outside of the core, of (polynomial in y = s - s0) / sqrt(b2 + k y^2): closed forms.
-float ew_integrate_weighted_side(float b2, float k, float s0, float from, float to, vec3 polynomial)
+// The integral over [from, to], outside of the core, of (polynomial in y = s - s0) (1 / sqrt(b2 + k y^2) - 1 / reach): closed forms. Where
+// the part is short, compared with the distance, they would be small differences, and all is smooth.
+float ew_integrate_weighted_side(float b2, float k, float s0, float from, float to, vec3 polynomial, vec4 glow)
 {
     float y_from = from - s0;
     float y_to = to - s0;
     float d_from = sqrt(b2 + k * y_from * y_from);
     float d_to = sqrt(b2 + k * y_to * y_to);
+    float least2 = y_from * y_to > 0.0 ? ew_square(min(d_from, d_to)) : b2;
+    if (k * ew_square(0.5 * (to - from)) < 0.1 * least2) {
+        vec4 y = y_from + (to - from) * EW_PATH_NODES;
+        vec4 weight = polynomial.x + y * (polynomial.y + y * polynomial.z);
+        return (to - from) * dot(EW_PATH_NODE_WEIGHTS, weight * (inversesqrt(b2 + k * y * y) - ew_inverse_reach(glow)));
+    }
     float moment0 = ew_integrate_reciprocal(b2, k, s0, from, to);
     float moment1 = (to - from) * (y_from + y_to) / max(d_from + d_to, 1e-30);
     float moment2 = 0.5 * (y_to * d_to - y_from * d_from - b2 * moment0) / k;
-    return polynomial.x * moment0 + polynomial.y * moment1 + polynomial.z * moment2;
+    vec3 at_reach = vec3(y_to - y_from, 0.5 * (y_to - y_from) * (y_to + y_from), (y_to * y_to * y_to - y_from * y_from * y_from) / 3.0);
+    return dot(polynomial, vec3(moment0, moment1, moment2) - ew_inverse_reach(glow) * at_reach);
 }
 
 // The same as ew_integrate_slab for a part of the piece on which the weight is one polynomial of the place along it.
@@ -65,18 +73,6 @@ float ew_integrate_weighted_part(ew_segment segment, ew_slab slab, vec2 part, ve
     float b2, k, s0;
     ew_find_line(segment, slab, glow, part, b2, k, s0);
     float scale = (slab.t.y - slab.t.x) / max(slab.size, 1e-30);
-    // Far from the peak, compared with the part's length, all is smooth; and so it is if the peak is much longer than the part, where
-    // the moments below would be small differences.
-    float half_part = 0.5 * (part.y - part.x);
-    bool is_far = abs(0.5 * (part.x + part.y) - s0) > 5.0 * half_part;
-    if (is_far || k * half_part * half_part < 0.1 * max(b2, ew_core2(glow, part.x))) {
-        vec4 place = part.x + 2.0 * half_part * EW_PATH_NODES;
-        vec4 t = slab.t.x + scale * (slab.along + place * slab.growth);
-        vec4 value = weight_by_t.x + t * (weight_by_t.y + t * weight_by_t.z);
-        vec4 squared = b2 + k * (place - s0) * (place - s0);
-        squared = max(squared, vec4(ew_core2(glow, place.x), ew_core2(glow, place.y), ew_core2(glow, place.z), ew_core2(glow, place.w)));
-        return 2.0 * half_part * dot(EW_PATH_NODE_WEIGHTS, value * (inversesqrt(squared) - ew_inverse_reach(glow)));
-    }
     // The weight by y = s - s0: f = base + slope y is the place in the weight's piece.
     float base = slab.t.x + scale * (slab.along + s0 * slab.growth);
     float slope = scale * slab.growth;
@@ -90,13 +86,9 @@ float ew_integrate_weighted_part(ew_segment segment, ew_slab slab, vec2 part, ve
     vec4 y = s - s0;
     vec4 weight = polynomial.x + y * (polynomial.y + y * polynomial.z);
     vec4 radius2 = vec4(ew_core2(glow, s.x), ew_core2(glow, s.y), ew_core2(glow, s.z), ew_core2(glow, s.w));
-    float sum = (core.y - core.x) * dot(EW_PATH_NODE_WEIGHTS, weight * inversesqrt(radius2));
-    if (part.x < core.x) sum += ew_integrate_weighted_side(b2, k, s0, part.x, core.x, polynomial);
-    if (core.y < part.y) sum += ew_integrate_weighted_side(b2, k, s0, core.y, part.y, polynomial);
-    vec2 ends = part - s0;
-    float moment1 = 0.5 * (ends.y - ends.x) * (ends.y + ends.x);
-    float moment2 = (ends.y * ends.y * ends.y - ends.x * ends.x * ends.x) / 3.0;
-    sum -= ew_inverse_reach(glow) * (polynomial.x * (ends.y - ends.x) + polynomial.y * moment1 + polynomial.z * moment2);
+    float sum = (core.y - core.x) * dot(EW_PATH_NODE_WEIGHTS, weight * (inversesqrt(radius2) - ew_inverse_reach(glow)));
+    if (part.x < core.x) sum += ew_integrate_weighted_side(b2, k, s0, part.x, core.x, polynomial, glow);
+    if (core.y < part.y) sum += ew_integrate_weighted_side(b2, k, s0, core.y, part.y, polynomial, glow);
     ew_evaluation_count += 1;
     return sum;
 }
