@@ -138,8 +138,8 @@ float ew_integrate_outside(float b2, float k, vec2 y, vec2 core)
     return x2 < 0.1 ? q * ew_atanh_series(x2) : 0.69314718 * log2(power.y / power.x) / root_k;
 }
 
-// The integral over s in [from, to] of 1 / r': of the core, a closed form of its own, a reciprocal distance from the eye. Relative error
-// 1e-6.
+// The integral over s in [from, to] of 1 / r': of the core, a closed form of its own, a reciprocal distance from the eye.
+// Relative error 1e-6.
 float ew_integrate_core(float from, float to, vec4 glow)
 {
 #ifdef EW_CORE_PIXELS

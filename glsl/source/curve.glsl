@@ -53,9 +53,9 @@ float ew_radius_squared(ew_arc arc, float s, bool is_core)
     return is_core ? ew_arc_core2(arc, s) : arc.glow.y * arc.glow.y;
 }
 
-// Where between `inner` and `outer` the arc comes out of its core or reach. `excess` is by how much the squared distance is beyond the
-// squared radius: negative at `inner`; if it is not positive at `outer`, all is inside. It grows about with the square of s - inner; the
-// regula falsi (Illinois) in that square takes few steps. An error of the place counts by its square.
+// Where between `inner` and `outer` the arc comes out of its core or reach. `excess` is by how much the squared distance is
+// beyond the squared radius: negative at `inner`; if it is not positive at `outer`, all is inside. It grows about with the
+// square of s - inner; the regula falsi (Illinois) in that square takes few steps. An error of the place counts by its square.
 float ew_edge_of(ew_arc arc, float inner, float outer, vec2 excess, bool is_core)
 {
     float way = outer - inner;
@@ -86,8 +86,8 @@ struct ew_portion {
     float at_nearest;
 };
 
-// The distance falls up to `nearest` and grows from there on. Where rounding or a passage beyond the arc puts the least distance
-// elsewhere, an end of the stretch stands in.
+// The distance falls up to `nearest` and grows from there on. Where rounding or a passage beyond the arc puts the least
+// distance elsewhere, an end of the stretch stands in.
 ew_portion ew_make_portion(ew_arc arc, float nearest, vec2 ends)
 {
     nearest = clamp(nearest, ends.x, ends.y);
@@ -125,8 +125,8 @@ float ew_least_b2(ew_arc arc, ew_passage passage, vec2 part)
     return max(passage.b2, ew_arc_core2(arc, passage.s0) - passage.k * nearest_edge * nearest_edge);
 }
 
-// The integral over the stretch [from, to], on which arc.arm is nearest: closed form and rest. In the core the closed form is the arc's
-// own. `sum` is the curve's light so far.
+// The integral over the stretch [from, to], on which arc.arm is nearest: closed form and rest. In the core the closed form is
+// the arc's own. `sum` is the curve's light so far.
 float ew_integrate_stretch(ew_arc arc, ew_approaches approaches, float from, float to, float sum, float others)
 {
     ew_passage passage = ew_passage_of_stretch(arc, approaches, from, to);
@@ -134,7 +134,8 @@ float ew_integrate_stretch(ew_arc arc, ew_approaches approaches, float from, flo
     vec2 part = portion.ends;
     passage.core = ew_clip(arc, portion, true).ends;
     passage.b2 = ew_least_b2(arc, passage, part);
-    float reciprocal = ew_integrate_core(passage.core.x, passage.core.y, arc.glow) - ew_inverse_reach(arc.glow) * (part.y - part.x);
+    float reciprocal = ew_integrate_core(passage.core.x, passage.core.y, arc.glow);
+    reciprocal -= ew_inverse_reach(arc.glow) * (part.y - part.x);
     reciprocal += ew_integrate_reciprocal(passage.b2, passage.k, passage.s0, part.x, passage.core.x);
     reciprocal += ew_integrate_reciprocal(passage.b2, passage.k, passage.s0, passage.core.y, part.y);
     float light = sum + max(passage.weight, 0.02 * arc.mean_weight) * max(reciprocal, 0.0);
@@ -178,10 +179,11 @@ void ew_find_parts(ew_arc arc, ew_cell first_cell, ew_cell last_cell, vec2 chord
     }
 }
 
-// Adds to `sum`, the curve's light so far, that of what the ends' parts `first` and `last` leave of `chord`. `others`, >= 0 and in the
-// same unit, is what other sources are known to add to it. Relative error 1e-3 at a tolerance of 1e-3, mostly far less;
+// Adds to `sum`, the curve's light so far, that of what the ends' parts `first` and `last` leave of `chord`. `others`, >= 0 and
+// in the same unit, is what other sources are known to add to it. Relative error 1e-3 at a tolerance of 1e-3, mostly far less;
 // docs/method.md, section 10, has the exceptions.
-float ew_add_stretches(ew_arc arc, ew_cell first_cell, ew_cell last_cell, vec2 first, vec2 last, vec2 chord, float sum, float others)
+float ew_add_stretches(ew_arc arc, ew_cell first_cell, ew_cell last_cell, vec2 first, vec2 last, vec2 chord, float sum,
+                       float others)
 {
 #ifdef EW_REACH
     // The brightness is known, and light that is a thousandth of it need not be exact to a thousandth of itself.

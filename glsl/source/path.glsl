@@ -1,9 +1,9 @@
-// Paths: chains of pieces that shine as one. The field is the sum of the pieces' fields, each by the distance to its nearest point,
-// less a point's field at each joint, with the weight there: where the nearest point of one piece is a joint, its neighbour's is too,
-// or is nearer, and the joint's point cancels one of the two.
+// Paths: chains of pieces that shine as one. The field is the sum of the pieces' fields, each by the distance to its nearest
+// point, less a point's field at each joint, with the weight there: where the nearest point of one piece is a joint, its
+// neighbour's is too, or is nearer, and the joint's point cancels one of the two.
 
-// The integral over a segment, with the field of a path. It may be less than 0 by rounding, or between the arms of a sharp corner; the
-// sum over the sources cuts that.
+// The integral over a segment, with the field of a path. It may be less than 0 by rounding, or between the arms of a sharp
+// corner; the sum over the sources cuts that.
 float ew_integrate(ew_segment segment, ew_path_block path, vec2 chord, float others)
 {
     float sum = 0.0;

@@ -9,8 +9,8 @@ ew_curve_block ew_bent_piece(ew_path_block path, int i)
     vec4 axis_y = ew_piece_unit(path, 5.0, i, 2);
     vec4 axis_z = ew_piece_unit(path, 5.0, i, 3);
     vec4 domain = ew_piece_unit(path, 5.0, i, 4);
-    return ew_curve_block(vec4(origin.xyz, path.weights.z), axis_x, axis_y, axis_z, vec4(domain.xy, path.weights.xy), path.color,
-                          path.glow);
+    return ew_curve_block(vec4(origin.xyz, path.weights.z), axis_x, axis_y, axis_z, vec4(domain.xy, path.weights.xy),
+                          path.color, path.glow);
 }
 
 vec3 ew_place_at(ew_curve_block curve, float tau)
@@ -28,8 +28,8 @@ vec2 ew_chord_of_piece(ew_segment segment, ew_path_block path, int i, vec2 chord
     return chord;
 }
 
-// The first piece from the i-th on that the ray does not miss; the count of pieces if there is none. Like sources (light.glsl), the
-// others are passed over in a loop of their own, which stays where it is once it has found one.
+// The first piece from the i-th on that the ray does not miss; the count of pieces if there is none. Like sources (light.glsl),
+// the others are passed over in a loop of their own, which stays where it is once it has found one.
 int ew_find_piece(ew_segment segment, ew_path_block path, int i, vec2 chord)
 {
     int count = int(path.pieces.y);
@@ -42,8 +42,8 @@ int ew_find_piece(ew_segment segment, ew_path_block path, int i, vec2 chord)
     return is_hit ? i : count;
 }
 
-// The sum over the pieces: each where no end is nearest, and its start together with the end of the piece before. Of a joint with a
-// piece that the ray misses, nothing is within reach.
+// The sum over the pieces: each where no end is nearest, and its start together with the end of the piece before. Of a joint
+// with a piece that the ray misses, nothing is within reach.
 float ew_integrate_bends(ew_segment segment, ew_path_block path, vec2 chord, float others)
 {
     int count = int(path.pieces.y);

@@ -22,8 +22,9 @@ float ew_integrate_point_over(ew_segment segment, vec3 position, vec2 part, vec4
 }
 
 #ifdef EW_WORLD
-// A point beside a ray. Its squared distance along the ray is b2 + k y^2, y = s - s0; it is within reach up to `half_chord`, and in the
-// core up to `half_core`. There the field is (1 - tilt (s - max(s0, 0))) / core, to the first order, as the core grows with depth.
+// A point beside a ray. Its squared distance along the ray is b2 + k y^2, y = s - s0; it is within reach up to `half_chord`,
+// and in the core up to `half_core`. There the field is (1 - tilt (s - max(s0, 0))) / core, to the first order, as the core
+// grows with depth.
 struct ew_point_ray {
     float b2;
     float k;
@@ -51,9 +52,9 @@ ew_point_ray ew_make_point_ray(ew_segment segment, vec3 position, vec4 glow)
     return ray;
 }
 
-// The integrals of the point's field from `from` to `to`, counted from s0 and within reach, are the sum of the second component and of
-// the logarithm of the first over sqrt(k). Nothing is left of ways from a place to itself. The antiderivative of 1 / distance from the
-// core on is
+// The integrals of the point's field from `from` to `to`, counted from s0 and within reach, are the sum of the second component
+// and of the logarithm of the first over sqrt(k). Nothing is left of ways from a place to itself. The antiderivative of 1 /
+// distance from the core on is
 //
 //     sign(y) log((d + sqrt(k) |y|) / (d_core + sqrt(k) half_core)) / sqrt(k)
 //     = 2 sign(y) atanh(sqrt(k) q) / sqrt(k),        q = (|y| - half_core) / (d + d_core).
@@ -99,8 +100,8 @@ ew_node ew_make_end(float edge, bool is_ahead, vec2 chord)
     return ew_node(vec2(is_ahead ? chord.y : edge, edge), vec2(is_ahead ? edge : chord.x, edge));
 }
 
-// A joint: the cap beyond the piece before it and the cap before the piece behind it, less the point itself. Where one cap begins at
-// the ray's start and the other ends at its end, all but the way between their edges cancels.
+// A joint: the cap beyond the piece before it and the cap before the piece behind it, less the point itself. Where one cap
+// begins at the ray's start and the other ends at its end, all but the way between their edges cancels.
 ew_node ew_make_joint(float beyond, bool is_beyond_ahead, float before, bool is_before_ahead, vec2 chord)
 {
     // Caps on different sides leave what is between their edges.
@@ -129,8 +130,9 @@ float ew_integrate_node(ew_segment segment, vec3 position, ew_node node, vec4 gl
 #endif
 
 #ifdef EW_BENDS
-// The light of a point over the part `last` of the ray, to which it is nearest as the end of one piece, with that piece's weight, and
-// over `first`, to which it is nearest as the start of the next; less a whole point, over `whole`. A free end has but one of the parts.
+// The light of a point over the part `last` of the ray, to which it is nearest as the end of one piece, with that piece's
+// weight, and over `first`, to which it is nearest as the start of the next; less a whole point, over `whole`. A free end has
+// but one of the parts.
 float ew_integrate_meeting(ew_segment segment, vec3 position, vec2 last, vec2 first, vec2 whole, vec2 weights, vec4 glow)
 {
 #ifdef EW_WORLD

@@ -1,7 +1,7 @@
 // Where a straight piece of a path is nearest to a ray.
 
-// The planes through the ends of a straight piece cut a ray in three: to what is before the start the start is nearest, to what is
-// beyond the end the end, and in between a point of the line.
+// The planes through the ends of a straight piece cut a ray in three: to what is before the start the start is nearest, to what
+// is beyond the end the end, and in between a point of the line.
 struct ew_slab {
     vec3 start;
     vec3 end;
@@ -21,8 +21,9 @@ ew_slab ew_make_slab(ew_segment segment, vec4 start, vec4 end)
                    vec2(start.w, end.w));
 }
 
-// The s at which the ray comes to the plane at `place` along the piece, in `chord`. A ray parallel to the planes, which does not run
-// along the piece, is before or beyond the plane all the way: it comes to it at the end of the chord, or has come at its start.
+// The s at which the ray comes to the plane at `place` along the piece, in `chord`. A ray parallel to the planes, which does
+// not run along the piece, is before or beyond the plane all the way: it comes to it at the end of the chord, or has come at
+// its start.
 float ew_s_at_plane(ew_slab slab, float place, vec2 chord)
 {
     float way = place - slab.along;

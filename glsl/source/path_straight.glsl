@@ -19,8 +19,8 @@ float ew_integrate_line_of_piece(ew_segment segment, ew_slab slab, ew_path_block
 }
 
 #ifdef EW_WORLD
-// Both ends of a straight beam at once, by the form of ew_integrate_node: of each, from the edge of its cap to the end of what the ray
-// has of its reach.
+// Both ends of a straight beam at once, by the form of ew_integrate_node: of each, from the edge of its cap to the end of what
+// the ray has of its reach.
 float ew_integrate_beam_ends(ew_segment segment, ew_slab slab, ew_planes planes, vec2 chord, vec2 weights, vec4 glow)
 {
     float k = ew_length_squared(segment.direction);
@@ -43,6 +43,9 @@ float ew_integrate_beam_ends(ew_segment segment, ew_slab slab, ew_planes planes,
     // The antiderivative is odd in y.
     vec4 odd = mix(power, 1.0 / power, lessThan(y, vec4(0.0)));
     vec4 inside = clamp(y, -half_core.xxyy, half_core.xxyy);
+    vec2 tilt = vec2(ew_core_tilt(glow, max(s0.x, 0.0)), ew_core_tilt(glow, max(s0.y, 0.0)));
+    vec2 at_point = 1.0 + tilt * max(-s0, 0.0);
+    inside *= at_point.xxyy - 0.5 * tilt.xxyy * inside;
     vec2 sides = (0.69314718 / root_k) * log2(vec2(odd.y / odd.x, odd.w / odd.z));
     vec2 parts = sides + vec2(inside.y - inside.x, inside.w - inside.z) * inversesqrt(core2) -
                  vec2(y.y - y.x, y.w - y.z) * ew_inverse_reach(glow);

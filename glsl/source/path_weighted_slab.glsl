@@ -9,8 +9,8 @@ const vec4 EW_PATH_NODE_WEIGHTS = vec4(0.17392742, 0.32607258, 0.32607258, 0.173
 // More panels than any part takes: they grow by factors.
 const int EW_MAX_PATH_PANELS = 64;
 
-// The same with the decay, by Gauss's rule in panels that grow from the line's peak outwards, and no faster than the depth: none is
-// longer than its distance from what is singular. Relative error 1e-4.
+// The same with the decay, by Gauss's rule in panels that grow from the line's peak outwards, and no faster than the depth:
+// none is longer than its distance from what is singular. Relative error 1e-4.
 float ew_integrate_weighted_part(ew_segment segment, ew_slab slab, vec2 part, vec3 weight_by_t, vec4 glow)
 {
     float b2, k, s0;
@@ -46,8 +46,8 @@ float ew_integrate_weighted_part(ew_segment segment, ew_slab slab, vec2 part, ve
     return sum;
 }
 #else
-// The integral over [from, to], outside of the core, of (polynomial in y = s - s0) (1 / sqrt(b2 + k y^2) - 1 / reach): closed forms. Where
-// the part is short, compared with the distance, they would be small differences, and all is smooth.
+// The integral over [from, to], outside of the core, of (polynomial in y = s - s0) (1 / sqrt(b2 + k y^2) - 1 / reach): closed
+// forms. Where the part is short, compared with the distance, they would be small differences, and all is smooth.
 float ew_integrate_weighted_side(float b2, float k, float s0, float from, float to, vec3 polynomial, vec4 glow)
 {
     float y_from = from - s0;
@@ -63,7 +63,8 @@ float ew_integrate_weighted_side(float b2, float k, float s0, float from, float 
     float moment0 = ew_integrate_reciprocal(b2, k, s0, from, to);
     float moment1 = (to - from) * (y_from + y_to) / max(d_from + d_to, 1e-30);
     float moment2 = 0.5 * (y_to * d_to - y_from * d_from - b2 * moment0) / k;
-    vec3 at_reach = vec3(y_to - y_from, 0.5 * (y_to - y_from) * (y_to + y_from), (y_to * y_to * y_to - y_from * y_from * y_from) / 3.0);
+    float way = y_to - y_from;
+    vec3 at_reach = way * vec3(1.0, 0.5 * (y_to + y_from), (y_to * y_to + y_to * y_from + y_from * y_from) / 3.0);
     return dot(polynomial, vec3(moment0, moment1, moment2) - ew_inverse_reach(glow) * at_reach);
 }
 
