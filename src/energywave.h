@@ -213,8 +213,8 @@ typedef enum ew_path_kind {
 } ew_path_kind;
 
 /* A chain of pieces that shines as one: its joints are no brighter than the rest. The field is the sum of the pieces' fields,
- * each by the distance to its nearest point, less a point's field at each joint, with the weight there. Cubic pieces become
- * quadratic ones within a hundredth of the core's radius.
+ * each by the distance to its nearest point, less a point's field at each joint, with the weight there. Each cubic piece
+ * becomes the fewest equal parts that are quadratic within 3e-4 of the core's radius.
  *
  * points:      as many as the kind needs: 2 or more; a closed path and EW_PATH_BSPLINE 3 or more; EW_PATH_BEZIER 3 n + 1. The
  *              array is copied.

@@ -22,10 +22,22 @@ float ew_core2(vec4 glow, float s)
     float depth = ew_view_depth.x + s * ew_view_depth.y;
     return ew_core_radius2(glow) + ew_frame.core_floor.x * depth * depth;
 }
+
+// How fast it grows there: half of the squared radius's growth, relative to that.
+float ew_core_tilt(vec4 glow, float s)
+{
+    float depth = ew_view_depth.x + s * ew_view_depth.y;
+    return ew_frame.core_floor.x * depth * ew_view_depth.y / ew_core2(glow, s);
+}
 #else
 float ew_core2(vec4 glow, float s)
 {
     return glow.x * glow.x;
+}
+
+float ew_core_tilt(vec4 glow, float s)
+{
+    return 0.0;
 }
 #endif
 

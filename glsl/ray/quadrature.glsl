@@ -151,6 +151,16 @@ float ew_integrate_outside(float b2, float k, vec2 y, vec2 core)
     return x2 < 0.1 ? q * ew_atanh_series(x2) : 0.69314718 * log2(power.y / power.x) / root_k;
 }
 
+// The integral over s in [from, to] of 1 / r'. Relative error 1e-6.
+float ew_integrate_core(float from, float to, vec4 glow)
+{
+#ifdef EW_CORE_PIXELS
+    return ew_integrate_core(sqrt(vec2(ew_core2(glow, from), ew_core2(glow, to))), to - from);
+#else
+    return (to - from) / glow.x;
+#endif
+}
+
 // The integral over s in [from, to] of 1 / max(r', sqrt(b2 + k (s - s0)^2)): the core, and what lies before and behind it. Relative
 // error 1e-6, of what a ray through the core has.
 float ew_integrate_floored_reciprocal(float b2, float k, float s0, float from, float to, vec4 glow)
@@ -164,12 +174,7 @@ float ew_integrate_floored_reciprocal(float b2, float k, float s0, float from, f
 #endif
     float sides = ew_integrate_outside(b2, k, y, core);
     vec2 inside = clamp(core, y.xx, y.yy);
-#ifdef EW_CORE_PIXELS
-    vec2 radius = sqrt(vec2(ew_core2(glow, s0 + inside.x), ew_core2(glow, s0 + inside.y)));
-    return sides + ew_integrate_core(radius, inside.y - inside.x);
-#else
-    return sides + (inside.y - inside.x) / glow.x;
-#endif
+    return sides + ew_integrate_core(s0 + inside.x, s0 + inside.y, glow);
 }
 #elif defined(EW_CORE_PIXELS)
 // The same with the decay 1 / (s + beta)^2. Relative error 1e-6.

@@ -126,6 +126,15 @@ float ew_tau_on_arm(ew_arc arc, float s)
     return clamp(tau, arc.first, arc.last);
 }
 
+bool ew_has_weights(ew_arc arc)
+{
+#ifdef EW_WEIGHTS
+    return arc.piece_count > 0.0;
+#else
+    return false;
+#endif
+}
+
 // The weight at `tau`, equation (15); 1 without weights.
 float ew_arc_weight(ew_arc arc, float tau)
 {

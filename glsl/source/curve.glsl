@@ -41,53 +41,110 @@ ew_passage ew_passage_of_stretch(ew_arc arc, ew_approaches approaches, float fro
 }
 
 #ifdef EW_REACH
-// How far outside of its reach the arc is at s, in squared distances.
-float ew_arc_excess(ew_arc arc, float s)
+// The squared distance of the arc from L(s).
+float ew_distance_squared_at(ew_arc arc, float s)
 {
-    float distance_squared = ew_arc_distance_squared(arc, arc.start + s * arc.direction, ew_tau_on_arm(arc, s));
-    return distance_squared - arc.glow.y * arc.glow.y;
+    return ew_arc_distance_squared(arc, arc.start + s * arc.direction, ew_tau_on_arm(arc, s));
 }
 
-// Where between `inner` and `outer` the arc comes to its reach, if the excess is negative at `inner` and positive at `outer`. It
-// grows about with the square of s - inner; the regula falsi (Illinois) in that square takes few steps. An error of the place counts
-// by its square.
-float ew_edge_of_reach(ew_arc arc, float inner, float outer, float inner_excess, float outer_excess)
+// The squared radius of the arc's core or reach at s.
+float ew_radius_squared(ew_arc arc, float s, bool is_core)
+{
+    return is_core ? ew_arc_core2(arc, s) : arc.glow.y * arc.glow.y;
+}
+
+// Where between `inner` and `outer` the arc comes out of its core or reach. `excess` is by how much the squared distance is
+// beyond the squared radius: negative at `inner`; if it is not positive at `outer`, all is inside. It grows about with the
+// square of s - inner; the regula falsi (Illinois) in that square takes few steps. An error of the place counts by its square.
+float ew_edge_of(ew_arc arc, float inner, float outer, vec2 excess, bool is_core)
 {
     float way = outer - inner;
+    float tolerance = 1e-3 * abs(excess.x);
     vec2 square = vec2(0.0, 1.0);
-    vec2 excess = vec2(inner_excess, outer_excess);
-    float edge = 0.0;
+    bool is_done = excess.y <= 0.0;
+    float edge = 1.0;
     int step = 0;
     do {
-        edge = square.x - excess.x * (square.y - square.x) / max(excess.y - excess.x, 1e-30);
-        float value = ew_arc_excess(arc, inner + way * sqrt(max(edge, 0.0)));
+        // A pixel that has left this loop while others of its group have not may see its values computed once more.
+        float next = square.x - excess.x * (square.y - square.x) / max(excess.y - excess.x, 1e-30);
+        edge = is_done ? edge : max(next, 0.0);
+        float s = inner + way * sqrt(edge);
+        float value = ew_distance_squared_at(arc, s) - ew_radius_squared(arc, s, is_core);
         bool is_outside = value > 0.0;
         square = is_outside ? vec2(square.x, edge) : vec2(edge, square.y);
         excess = is_outside ? vec2(0.5 * excess.x, value) : vec2(value, 0.5 * excess.y);
-    } while (++step < 8);
-    return inner + way * sqrt(max(edge, 0.0));
+        is_done = is_done || abs(value) <= tolerance;
+    } while (!is_done && ++step < 12);
+    return inner + way * sqrt(edge);
 }
 
-// The part of a stretch that is within reach: the distance falls up to `nearest` and grows from there on.
-vec2 ew_stretch_within_reach(ew_arc arc, float nearest, vec2 stretch)
+// A stretch of a ray beside an arc, and the squared distance at its ends and where it is least, at `nearest`.
+struct ew_portion {
+    vec2 ends;
+    vec2 at_ends;
+    float nearest;
+    float at_nearest;
+};
+
+// The distance falls up to `nearest` and grows from there on. Where rounding or a passage beyond the arc puts the least
+// distance elsewhere, an end of the stretch stands in.
+ew_portion ew_make_portion(ew_arc arc, float nearest, vec2 ends)
 {
-    float center = clamp(nearest, stretch.x, stretch.y);
-    float at_from = ew_arc_excess(arc, stretch.x);
-    float at_center = ew_arc_excess(arc, center);
-    float at_to = ew_arc_excess(arc, stretch.y);
-    // Where rounding or a passage beyond the arc puts the least distance elsewhere, an end of the stretch stands in.
-    if (at_from < at_center) { center = stretch.x; at_center = at_from; }
-    if (at_to < at_center) { center = stretch.y; at_center = at_to; }
-    vec2 part = vec2(center);
-    if (at_center < 0.0) {
-        part = stretch;
-        if (at_from > 0.0) part.x = ew_edge_of_reach(arc, center, stretch.x, at_center, at_from);
-        if (at_to > 0.0) part.y = ew_edge_of_reach(arc, center, stretch.y, at_center, at_to);
+    nearest = clamp(nearest, ends.x, ends.y);
+    vec2 at_ends = vec2(ew_distance_squared_at(arc, ends.x), ew_distance_squared_at(arc, ends.y));
+    ew_portion portion = ew_portion(ends, at_ends, nearest, ew_distance_squared_at(arc, nearest));
+    if (portion.at_ends.x < portion.at_nearest) { portion.nearest = ends.x; portion.at_nearest = portion.at_ends.x; }
+    if (portion.at_ends.y < portion.at_nearest) { portion.nearest = ends.y; portion.at_nearest = portion.at_ends.y; }
+    return portion;
+}
+
+// What of it is within the arc's core or reach.
+ew_portion ew_clip(ew_arc arc, ew_portion portion, bool is_core)
+{
+    float inner = portion.at_nearest - ew_radius_squared(arc, portion.nearest, is_core);
+    vec2 radius2 = vec2(ew_radius_squared(arc, portion.ends.x, is_core), ew_radius_squared(arc, portion.ends.y, is_core));
+    vec2 outer = portion.at_ends - radius2;
+    vec2 ends = vec2(portion.nearest);
+    if (inner < 0.0) {
+        ends.x = ew_edge_of(arc, portion.nearest, portion.ends.x, vec2(inner, outer.x), is_core);
+        ends.y = ew_edge_of(arc, portion.nearest, portion.ends.y, vec2(inner, outer.y), is_core);
     }
-    return part;
+    return ew_portion(ends, min(portion.at_ends, radius2), portion.nearest, portion.at_nearest);
 }
 #endif
 
+#ifdef EW_WORLD
+// The passage's squared distance at s0, so that where the arc is outside of its core, in `part`, the passage is, too.
+float ew_least_b2(ew_arc arc, ew_passage passage, vec2 part)
+{
+    bool is_in_core = passage.s0 > passage.core.x && passage.s0 < passage.core.y;
+    vec2 way = abs(passage.core - passage.s0);
+    if (passage.core.x <= part.x) way.x = 1e9;
+    if (passage.core.y >= part.y) way.y = 1e9;
+    float nearest_edge = is_in_core ? min(way.x, way.y) : 0.0;
+    return max(passage.b2, ew_arc_core2(arc, passage.s0) - passage.k * nearest_edge * nearest_edge);
+}
+
+// The integral over the stretch [from, to], on which arc.arm is nearest: closed form and rest. In the core the closed form is
+// the arc's own. `sum` is the curve's light so far.
+float ew_integrate_stretch(ew_arc arc, ew_approaches approaches, float from, float to, float sum, float others)
+{
+    ew_passage passage = ew_passage_of_stretch(arc, approaches, from, to);
+    ew_portion portion = ew_clip(arc, ew_make_portion(arc, passage.s0, vec2(from, to)), false);
+    vec2 part = portion.ends;
+    passage.core = ew_clip(arc, portion, true).ends;
+    passage.b2 = ew_least_b2(arc, passage, part);
+    float reciprocal = ew_integrate_core(passage.core.x, passage.core.y, arc.glow);
+    reciprocal -= ew_inverse_reach(arc.glow) * (part.y - part.x);
+    reciprocal += ew_integrate_reciprocal(passage.b2, passage.k, passage.s0, part.x, passage.core.x);
+    reciprocal += ew_integrate_reciprocal(passage.b2, passage.k, passage.s0, passage.core.y, part.y);
+    float light = sum + max(passage.weight, 0.02 * arc.mean_weight) * max(reciprocal, 0.0);
+    float allowance = ew_tolerance() * (light + EW_OTHERS_SHARE * others);
+    float rest = 0.0;
+    if (part.x < part.y) rest = ew_integrate_rest(arc, passage, part.x, part.y, allowance);
+    return passage.weight * reciprocal + rest;
+}
+#else
 // The integral over the stretch [from, to], on which arc.arm is nearest: closed form and rest. `sum` is the curve's light so
 // far.
 float ew_integrate_stretch(ew_arc arc, ew_approaches approaches, float from, float to, float sum, float others)
@@ -95,7 +152,7 @@ float ew_integrate_stretch(ew_arc arc, ew_approaches approaches, float from, flo
     ew_passage passage = ew_passage_of_stretch(arc, approaches, from, to);
     vec2 part = vec2(from, to);
 #ifdef EW_REACH
-    if (arc.glow.y > 0.0) part = ew_stretch_within_reach(arc, passage.s0, part);
+    if (arc.glow.y > 0.0) part = ew_clip(arc, ew_make_portion(arc, passage.s0, part), false).ends;
 #endif
     float reciprocal = ew_integrate_within_reach(passage.b2, passage.k, passage.s0, part, arc.glow);
     float light = sum + max(passage.weight, 0.02 * arc.mean_weight) * max(reciprocal, 0.0);
@@ -104,19 +161,13 @@ float ew_integrate_stretch(ew_arc arc, ew_approaches approaches, float from, flo
     if (part.x < part.y) rest = ew_integrate_rest(arc, passage, part.x, part.y, allowance);
     return passage.weight * reciprocal + rest;
 }
-
-// The integral over the part `chord` of a ray; `others`, >= 0 and in the same unit, is what other sources are known to add to it. Relative
-// error 1e-3 at a tolerance of 1e-3, mostly far less; docs/method.md, section 10, has the exceptions.
-float ew_integrate_arc(ew_arc arc, vec2 chord, float others)
-{
-    ew_cell first_cell = ew_cell_of_end(arc, arc.first, 1.0);
-    ew_cell last_cell = ew_cell_of_end(arc, arc.last, -1.0);
-#ifdef EW_REACH
-    // The brightness is known, and light that is a thousandth of it need not be exact to a thousandth of itself.
-    if (arc.glow.y > 0.0) others += 1e-3 / EW_OTHERS_SHARE * 1.386 * log2(max(arc.glow.y / arc.glow.x, 1.0001));
 #endif
-    vec2 first = ew_part_of_cell(arc, first_cell, chord.y);
-    vec2 last = ew_part_of_cell(arc, last_cell, chord.y);
+
+// The parts of `chord` to which the arc's ends are nearest.
+void ew_find_parts(ew_arc arc, ew_cell first_cell, ew_cell last_cell, vec2 chord, out vec2 first, out vec2 last)
+{
+    first = ew_part_of_cell(arc, first_cell, chord.y);
+    last = ew_part_of_cell(arc, last_cell, chord.y);
 #ifdef EW_REACH
     first = max(first, chord.xx);
     last = max(last, chord.xx);
@@ -126,8 +177,18 @@ float ew_integrate_arc(ew_arc arc, vec2 chord, float others)
         if (first.x <= last.x) last.x = min(first.y, last.y);
         else last.y = first.x;
     }
-    float sum = ew_integrate_end(arc, arc.first, first) + ew_integrate_end(arc, arc.last, last);
+}
 
+// Adds to `sum`, the curve's light so far, that of what the ends' parts `first` and `last` leave of `chord`. `others`, >= 0 and
+// in the same unit, is what other sources are known to add to it. Relative error 1e-3 at a tolerance of 1e-3, mostly far less;
+// docs/method.md, section 10, has the exceptions.
+float ew_add_stretches(ew_arc arc, ew_cell first_cell, ew_cell last_cell, vec2 first, vec2 last, vec2 chord, float sum,
+                       float others)
+{
+#ifdef EW_REACH
+    // The brightness is known, and light that is a thousandth of it need not be exact to a thousandth of itself.
+    if (arc.glow.y > 0.0) others += 1e-3 / EW_OTHERS_SHARE * 1.386 * log2(max(arc.glow.y / arc.glow.x, 1.0001));
+#endif
     ew_approaches approaches = ew_find_approaches(arc);
     vec4 splits = ew_find_splits(arc, first_cell, last_cell);
     float from = ew_skip_parts(chord.x, first, last);
@@ -143,5 +204,11 @@ float ew_integrate_arc(ew_arc arc, vec2 chord, float others)
 
 float ew_integrate(ew_segment segment, ew_curve_block curve, vec2 chord, float others)
 {
-    return ew_integrate_arc(ew_make_arc(segment, curve), chord, others);
+    ew_arc arc = ew_make_arc(segment, curve);
+    ew_cell first_cell = ew_cell_of_end(arc, arc.first, 1.0);
+    ew_cell last_cell = ew_cell_of_end(arc, arc.last, -1.0);
+    vec2 first, last;
+    ew_find_parts(arc, first_cell, last_cell, chord, first, last);
+    float sum = ew_integrate_end(arc, arc.first, first) + ew_integrate_end(arc, arc.last, last);
+    return ew_add_stretches(arc, first_cell, last_cell, first, last, chord, sum, others);
 }

@@ -8,6 +8,9 @@ struct ew_passage {
     float k;
     float s0;
     float weight;
+#ifdef EW_WORLD
+    vec2 core; // where the arc's core begins and ends
+#endif
 };
 
 // Half the second derivative of the squared distance along the ray, where the ray is nearest to the arc's point at `tau` and
@@ -37,7 +40,11 @@ ew_passage ew_passage_at(ew_arc arc, float tau, bool is_end, bool is_far)
     // A passage that does not touch gets no core: between the edge of its core and that of the arc's, the rest would be a spike
     // that the quadrature's nodes may miss.
     if (!is_touching) b2 = max(b2, ew_arc_core2(arc, s0));
+#ifdef EW_WORLD
+    return ew_passage(is_touching, b2, k, s0, ew_arc_weight(arc, tau), vec2(s0));
+#else
     return ew_passage(is_touching, b2, k, s0, ew_arc_weight(arc, tau));
+#endif
 }
 
 // tau of the two minima of the whole parabola's distance from the ray, which may be one. Seen along the ray, the ray is a

@@ -1,5 +1,8 @@
 // What a path's integrator and its samples share: its weights and the units of its pieces.
 
+// The most pieces of a path, as in the public header.
+const int EW_MAX_PATH_PIECES = 600;
+
 // The weight at t along a path.
 float ew_path_weight(ew_path_block path, float t)
 {

@@ -19,7 +19,13 @@ ew_reciprocals ew_reciprocals_at(ew_arc arc, ew_passage passage, float s)
     float model = passage.b2 + passage.k * ew_square(s - passage.s0);
     float distance_squared = ew_arc_distance_squared(arc, arc.start + s * arc.direction, tau);
     ew_evaluation_count += 1;
+#ifdef EW_WORLD
+    float source = inversesqrt(max(distance_squared, epsilon2));
+    bool is_in_core = s > passage.core.x && s < passage.core.y;
+    return ew_reciprocals(source, is_in_core ? source : inversesqrt(max(model, 1e-30)), tau);
+#else
     return ew_reciprocals(inversesqrt(max(distance_squared, epsilon2)), inversesqrt(max(model, epsilon2)), tau);
+#endif
 }
 
 // The second difference of values at a panel's four nodes, up to a factor.
@@ -49,6 +55,7 @@ ew_rest ew_weighted_rest(ew_arc arc, ew_passage passage, vec4 source, vec4 model
 }
 #endif
 
+#ifndef EW_WORLD
 // The factor on the second difference, which sees best the kink at the edge of the core: 1 if the nodes are all in it or all
 // outside.
 float ew_kink_factor(ew_arc arc, vec4 source, vec4 s)
@@ -64,6 +71,7 @@ float ew_kink_factor(ew_arc arc, vec4 source, vec4 s)
     float farthest = min(min(source.x, source.y), min(source.z, source.w));
     return nearest > (1.0 - 1e-6) * core && farthest < (1.0 - 1e-6) * core ? EW_KINK : 1.0;
 }
+#endif
 
 // The rest at four places s, all of which have their nearest points in weight piece `piece`.
 ew_rest ew_rest_at(ew_arc arc, ew_passage passage, vec4 s, float piece)
@@ -88,6 +96,8 @@ ew_rest ew_rest_at(ew_arc arc, ew_passage passage, vec4 s, float piece)
 #endif
     }
 #endif
+#ifndef EW_WORLD
     rest.curvature *= ew_kink_factor(arc, source, s);
+#endif
     return rest;
 }

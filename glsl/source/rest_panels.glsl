@@ -51,12 +51,18 @@ struct ew_stretch {
     float depth2;
     float x_from; // x of its two ends, x_from >= 0 >= x_to
     float x_to;
+    vec2 starts; // x of where its near and its far side begin
+#ifdef EW_WORLD
+    vec2 core; // x of the edges of the arc's core, core.x >= 0 >= core.y
+#endif
     float peak;        // length of the first panel
     float first_panel; // the same, or to the edge of the core for a ray that passes it
     bool is_inside;    // the passage is inside, and the rest starts at 0 there
     bool is_wide;      // the peak is wide: the whole stretch is one side
 };
 
+// In the world integral no panel holds an edge of the arc's core: four nodes may not see a kink.
+//
 // The first panel is at most EW_FIRST_PANEL half widths of the peak long, or it would not see how the arc's peak differs from
 // the passage's. Nor is it much longer than the arc, because a bent arc's passage is of no use there.
 ew_stretch ew_make_stretch(ew_arc arc, ew_passage passage, float from, float to)
@@ -65,11 +71,17 @@ ew_stretch ew_make_stretch(ew_arc arc, ew_passage passage, float from, float to)
     ew_stretch stretch;
     stretch.center = clamp(passage.s0, from, to);
 #ifdef EW_WORLD
+    bool has_core = passage.core.x < passage.core.y;
+    if (has_core) stretch.center = clamp(stretch.center, passage.core.x, passage.core.y);
     stretch.depth = 1.0;
     stretch.depth2 = 1.0;
     stretch.x_from = stretch.center - from;
     stretch.x_to = stretch.center - to;
+    // In the core the model is the arc itself, and without weights there is no rest.
+    stretch.core = has_core ? stretch.center - passage.core : vec2(0.0);
+    stretch.starts = ew_has_weights(arc) ? vec2(0.0) : stretch.core;
 #else
+    stretch.starts = vec2(0.0);
     float beta = ew_beta();
     stretch.depth = stretch.center + beta;
     stretch.depth2 = stretch.depth * stretch.depth;
@@ -80,12 +92,18 @@ ew_stretch ew_make_stretch(ew_arc arc, ew_passage passage, float from, float to)
     float extent = arc.slope_x + abs(arc.slope_y) + 2.0 * arc.bend * max(-arc.first, arc.last);
     stretch.peak = min(EW_FIRST_PANEL * scale * sqrt(max(passage.b2, epsilon2)),
                        4.0 * sqrt((passage.b2 + extent * extent) / ew_length_squared(arc.direction)) / stretch.depth2);
+#ifdef EW_WORLD
+    stretch.first_panel = stretch.peak;
+    stretch.is_inside = !has_core && passage.is_touching && passage.s0 > from && passage.s0 < to;
+    stretch.is_wide = stretch.peak >= 8.0 * (stretch.x_from - stretch.x_to) && !has_core;
+#else
     bool passes_core = passage.b2 < epsilon2;
     float half_core = scale * sqrt(max(epsilon2 - passage.b2, 0.04 * epsilon2));
     stretch.first_panel = passes_core ? half_core : stretch.peak;
     stretch.is_inside = passage.is_touching && passage.s0 > from && passage.s0 < to;
     stretch.is_wide = stretch.peak >= 8.0 * (stretch.x_from - stretch.x_to)
                       && (!passes_core || half_core > stretch.x_from - stretch.x_to);
+#endif
     return stretch;
 }
 
@@ -103,24 +121,24 @@ struct ew_progress {
 // The first side: the near one, if there is one, or the whole of a stretch with a wide peak.
 ew_progress ew_start_stretch(ew_stretch stretch, float from_piece, float center_piece, float to_piece)
 {
-    bool has_near_side = stretch.x_from > 0.0;
+    bool has_near_side = stretch.x_from > stretch.starts.x;
     bool ends_at_from = has_near_side || stretch.is_wide;
     ew_progress progress;
-    progress.x = stretch.is_wide ? stretch.x_to : 0.0;
+    progress.x = stretch.is_wide ? stretch.x_to : has_near_side ? stretch.starts.x : stretch.starts.y;
     progress.remaining = (ends_at_from ? stretch.x_from : stretch.x_to) - progress.x;
     progress.proposal = clamp(progress.remaining, -stretch.first_panel, stretch.first_panel);
     progress.piece = stretch.is_wide ? to_piece : center_piece;
     progress.last_piece = ends_at_from ? from_piece : to_piece;
     progress.starts_at_zero = stretch.is_inside && !stretch.is_wide;
-    progress.is_last_side = stretch.is_wide || !has_near_side || stretch.x_to == 0.0;
+    progress.is_last_side = stretch.is_wide || !has_near_side || stretch.x_to == stretch.starts.y;
     return progress;
 }
 
 ew_progress ew_start_far_side(ew_stretch stretch, float center_piece, float to_piece)
 {
     ew_progress progress;
-    progress.x = 0.0;
-    progress.remaining = stretch.x_to;
+    progress.x = stretch.starts.y;
+    progress.remaining = stretch.x_to - progress.x;
     progress.proposal = max(progress.remaining, -stretch.first_panel);
     progress.piece = center_piece;
     progress.last_piece = to_piece;
@@ -140,6 +158,15 @@ float ew_width_to_knot(ew_arc arc, ew_stretch stretch, ew_progress progress)
 #endif
     return progress.remaining >= 0.0 ? clamp(width, 0.0, progress.remaining) : clamp(width, progress.remaining, 0.0);
 }
+
+#ifdef EW_WORLD
+// The width of a panel that ends at the edge of the core, of a side that begins in it; 0 for one beyond.
+float ew_width_to_edge(ew_stretch stretch, ew_progress progress)
+{
+    float width = (progress.remaining >= 0.0 ? stretch.core.x : stretch.core.y) - progress.x;
+    return width * progress.remaining > 0.0 ? width : 0.0;
+}
+#endif
 
 // The step control: goes on behind a panel that `is_fine`, or back to a shorter one.
 ew_progress ew_advance(ew_stretch stretch, ew_progress progress, float width, bool is_at_knot, bool is_fine, bool is_last_try)
@@ -166,6 +193,9 @@ float ew_integrate_rest(ew_arc arc, ew_passage passage, float from, float to, fl
     arc.equation_start += stretch.center * arc.equation_growth;
     arc.center += stretch.center;
     passage.s0 -= stretch.center;
+#ifdef EW_WORLD
+    passage.core -= stretch.center;
+#endif
     float from_piece = ew_piece_at(arc, from - stretch.center);
     float center_piece = ew_piece_at(arc, 0.0);
     float to_piece = ew_piece_at(arc, to - stretch.center);
@@ -178,6 +208,13 @@ float ew_integrate_rest(ew_arc arc, ew_passage passage, float from, float to, fl
         bool has_knot = ew_has_knot(progress.piece, progress.last_piece) && !is_last_try;
         bool is_at_knot = has_knot && abs(to_knot) <= abs(progress.proposal);
         float width = is_at_knot ? to_knot : progress.proposal;
+#ifdef EW_WORLD
+        float to_edge = ew_width_to_edge(stretch, progress);
+        if (to_edge != 0.0 && abs(to_edge) <= abs(width)) {
+            width = to_edge;
+            is_at_knot = is_at_knot && to_knot == to_edge;
+        }
+#endif
 
         ew_rule rule = ew_choose_rule(progress.starts_at_zero);
         vec4 x = progress.x + width * rule.nodes;

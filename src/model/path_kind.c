@@ -183,6 +183,8 @@ const ew_kind ew_path_kind_row = {
     .weights = weights_of,
     .pack = pack,
     .chain = &chain,
-    .adaptive_files = {ew_glsl_path_pieces_glsl, ew_glsl_path_glsl},
+    .adaptive_files = {ew_glsl_path_pieces_glsl, ew_glsl_path_node_glsl, ew_glsl_path_slab_glsl,
+                       ew_glsl_path_weighted_slab_glsl, ew_glsl_path_straight_glsl, ew_glsl_path_beam_glsl,
+                       ew_glsl_path_bends_glsl, ew_glsl_path_glsl},
     .sampling_files = {ew_glsl_path_pieces_glsl, ew_glsl_path_distance_glsl},
 };

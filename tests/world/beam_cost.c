@@ -1,7 +1,8 @@
-/* What the commonest beam costs, straight and with two ends: 16 of them beside 16 infinite lines, which have one closed form,
- * at 320 x 180. Prints the medians of rounds in which both take turns, and their ratio.
+/* What paths cost, at 320 x 180. The commonest beam, straight and with two ends: 16 of them beside 16 infinite lines, which
+ * have one closed form. And smooth paths, of 8 and 24 bent pieces, beside as many curves. Prints the medians of rounds in which
+ * both take turns, and their ratio.
  *
- *     beam_cost CONTEXT [LARGEST_RATIO]    fails if the ratio is larger
+ *     beam_cost CONTEXT [LARGEST_RATIO]    fails if a ratio of beams to lines is larger, or one of paths to curves than 1.2
  *     contexts are those of context.h */
 #define _POSIX_C_SOURCE 200112L
 #include "canvas.h"
@@ -81,9 +82,41 @@ static double measure_ratio(const char *what, const ew_sources_desc sources[2], 
             seconds[i][round < 0 ? 0 : round] = draw(&sources[i], frame);
     for (int i = 0; i < 2; i++)
         qsort(seconds[i], ROUNDS, sizeof seconds[i][0], compare);
-    double lines = seconds[0][ROUNDS / 2], paths = seconds[1][ROUNDS / 2];
-    printf("%s: 16 infinite lines %.2f ms, 16 beams %.2f ms, %.2f times\n", what, 1e3 * lines, 1e3 * paths, paths / lines);
-    return paths / lines;
+    double other = seconds[0][ROUNDS / 2], paths = seconds[1][ROUNDS / 2];
+    printf("%s: %.2f and %.2f ms, %.2f times\n", what, 1e3 * other, 1e3 * paths, paths / other);
+    return paths / other;
+}
+
+/* A wave from left to right as a B-spline, and its pieces as curves. */
+static double measure_smooth_ratio(const char *what, int pieces, const ew_frame_desc *frame)
+{
+    enum { MOST = 24 };
+    static double points[MOST + 2][3];
+    ew_curve curves[MOST];
+    for (int i = 0; i < pieces + 2; i++) {
+        points[i][0] = 3.0 * i / (pieces + 1) - 1.5;
+        points[i][1] = i % 2 ? 0.4 : -0.4;
+        points[i][2] = i % 3 * 0.2;
+    }
+    for (int i = 0; i < pieces; i++) {
+        double control[3][3];
+        for (int k = 0; k < 3; k++) {
+            control[0][k] = i == 0 ? points[0][k] : 0.5 * (points[i][k] + points[i + 1][k]);
+            control[1][k] = points[i + 1][k];
+            control[2][k] = i == pieces - 1 ? points[i + 2][k] : 0.5 * (points[i + 1][k] + points[i + 2][k]);
+        }
+        curves[i] = (ew_curve){.domain = {0, 1}};
+        ew_bezier_polynomial(control[0], control[1], control[2], curves[i].polynomial);
+        curves[i].brightness = 0.2;
+        curves[i].core = 0.01;
+        curves[i].reach = 0.5;
+    }
+    ew_path path = {.kind = EW_PATH_BSPLINE, .points = (const double(*)[3])points, .point_count = (size_t)pieces + 2};
+    path.brightness = 0.2;
+    path.core = 0.01;
+    path.reach = 0.5;
+    const ew_sources_desc sources[2] = {{.curves = curves, .curve_count = (size_t)pieces}, {.paths = &path, .path_count = 1}};
+    return measure_ratio(what, sources, frame);
 }
 
 int main(int argc, char **argv)
@@ -98,7 +131,9 @@ int main(int argc, char **argv)
         EW_OK)
         return 2;
     ew_frame_desc frame = make_frame();
-    double ratio = measure_ratio("the world integral", sources, &frame);
+    double ratio = measure_ratio("16 infinite lines and 16 beams, the world integral", sources, &frame);
+    double smooth = measure_smooth_ratio("8 curves and a path of 8 pieces", 8, &frame);
+    double long_smooth = measure_smooth_ratio("24 curves and a path of 24 pieces", 24, &frame);
     frame.core_pixels = 0;
     double without = measure_ratio("with cores as they are", sources, &frame);
     frame.interval_start = 2;
@@ -113,5 +148,6 @@ int main(int argc, char **argv)
     canvas_destroy(&target);
     close_context(context);
     double largest = argc > 2 ? strtod(argv[2], NULL) : 1e9;
+    if (argc > 2 && (smooth > 1.2 || long_smooth > 1.2)) return EXIT_FAILURE;
     return ratio <= largest && without <= largest && papers <= largest && endless <= largest ? EXIT_SUCCESS : EXIT_FAILURE;
 }

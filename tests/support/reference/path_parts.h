@@ -32,7 +32,7 @@ typedef struct path_parts {
 /* Of the same kind as any source, for the integrand. */
 extern const source_kind path_piece_kind;
 
-/* Cubic pieces become quadratic ones within a ten-thousandth of `core`, a hundred times as close as the library's may be.
+/* Each cubic piece becomes the fewest equal parts that are quadratic within 3e-4 of `core`.
  * Returns false where memory is exhausted. */
 bool path_parts_make(path_parts *parts, const ew_path *path, double core);
 void path_parts_free(path_parts *parts);

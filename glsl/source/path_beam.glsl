@@ -1,0 +1,156 @@
+// Paths of one straight piece.
+
+// A straight beam as a ray meets it. To what is before the plane through the end that the ray comes to first, that end is nearest; to
+// what is beyond the other plane, the last end; in between, a point of the line. The squared distance from each along the ray is
+// b2 + k (s - s0)^2.
+struct ew_beam {
+    vec3 b2; // of the first end, the line and the last end
+    vec3 k;
+    vec3 s0;
+    vec2 planes;    // s, in the chord
+    bool is_turned; // the path's end is the first
+};
+
+// What lies across the ray is found for the middle and for the axis, and from these for both ends.
+ew_beam ew_meet_beam(ew_segment segment, ew_path_block path, vec2 chord)
+{
+    float size = path.ball.w;
+    vec3 axis = path.beam.xyz / max(size, 1e-30);
+    float growth = dot(segment.direction, axis);
+    bool is_turned = growth < 0.0;
+    axis *= is_turned ? -1.0 : 1.0;
+    growth = abs(growth);
+    vec3 to_middle = path.ball.xyz - segment.origin;
+    float along = dot(to_middle, axis);
+    // A ray parallel to the planes is before or beyond each all the way.
+    vec2 planes = clamp((along + vec2(-size, size)) / max(growth, 1e-30), chord.x, chord.y);
+
+    float k = ew_length_squared(segment.direction);
+    float s0 = dot(to_middle, segment.direction) / k;
+    float step = growth / k;
+    vec3 middle_across = to_middle - s0 * segment.direction;
+    vec3 end_across = size * (axis - step * segment.direction);
+    vec3 to_line = to_middle - along * axis;
+    vec3 across = segment.direction - growth * axis;
+    float line_k = max(ew_length_squared(across), 1e-12 * k);
+    float line_s0 = dot(to_line, across) / line_k;
+    return ew_beam(vec3(ew_length_squared(middle_across - end_across), ew_length_squared(to_line - line_s0 * across),
+                        ew_length_squared(middle_across + end_across)),
+                   vec3(k, line_k, k), vec3(s0 - size * step, line_s0, s0 + size * step), planes, is_turned);
+}
+
+#ifdef EW_WORLD
+// Both ends of a beam at once, by the form of ew_integrate_node: of each, from the edge of its cap to the end of what the ray has of
+// its reach.
+vec2 ew_integrate_beam_ends(ew_beam beam, vec2 chord, vec4 glow)
+{
+    float k = beam.k.x;
+    float root_k = sqrt(k);
+    vec2 s0 = beam.s0.xz;
+    vec2 b2 = beam.b2.xz;
+    vec2 b = sqrt(b2);
+    vec2 half_chord = sqrt(max((glow.y - b) * (glow.y + b), 0.0) / k);
+    vec4 y = clamp(vec4(chord.x, beam.planes, chord.y) - s0.xxyy, -half_chord.xxyy, half_chord.xxyy);
+    vec2 core2 = vec2(ew_core2(glow, max(s0.x, 0.0)), ew_core2(glow, max(s0.y, 0.0)));
+    vec2 half_core = sqrt(max(core2 - b2, 0.0) / k);
+    vec4 outside = max(abs(y), half_core.xxyy);
+    vec4 power = sqrt(b2.xxyy + k * outside * outside) + root_k * outside;
+    vec2 at_core = sqrt(max(core2, b2)) + root_k * half_core;
+    power /= at_core.xxyy;
+    // The antiderivative is odd in y.
+    vec4 odd = mix(power, 1.0 / power, lessThan(y, vec4(0.0)));
+    vec4 inside = clamp(y, -half_core.xxyy, half_core.xxyy);
+    vec2 tilt = vec2(ew_core_tilt(glow, max(s0.x, 0.0)), ew_core_tilt(glow, max(s0.y, 0.0)));
+    vec2 at_point = 1.0 + tilt * max(-s0, 0.0);
+    inside *= at_point.xxyy - 0.5 * tilt.xxyy * inside;
+    vec2 sides = (0.69314718 / root_k) * log2(vec2(odd.y / odd.x, odd.w / odd.z));
+    ew_evaluation_count += 2;
+    return sides + vec2(inside.y - inside.x, inside.w - inside.z) * inversesqrt(core2) -
+           vec2(y.y - y.x, y.w - y.z) * ew_inverse_reach(glow);
+}
+
+// `weights` are those of the first end, the line and the last end.
+float ew_integrate_beam_parts(ew_beam beam, vec2 chord, vec3 weights, vec4 glow)
+{
+    vec2 ends = ew_integrate_beam_ends(beam, chord, glow);
+    ew_evaluation_count += 1;
+    return dot(weights.xz, ends) +
+           weights.y * ew_integrate_within_reach(beam.b2.y, beam.k.y, beam.s0.y, beam.planes, glow);
+}
+#else
+// The light of the core in one of a beam's parts.
+float ew_integrate_core(vec2 core, vec4 glow)
+{
+#ifdef EW_CORE_PIXELS
+    return ew_integrate_reciprocal(ew_core_radius2(glow), max(ew_core_growth2(), 1e-30), -ew_view_depth.x / ew_view_depth.y, core.x,
+                                   core.y);
+#else
+    return ew_measure(core.x, core.y) / glow.x;
+#endif
+}
+
+// Along the ray a beam's distance falls up to the core, or to its least, and then grows. So of the three parts' six sides of the core
+// two are always empty, but for rounding: behind the core in the first part, or before it in the second; and the same mirrored.
+float ew_integrate_beam_parts(ew_beam beam, vec2 chord, vec3 weights, vec4 glow)
+{
+    vec3 from = vec3(chord.x, beam.planes);
+    vec3 to = vec3(beam.planes, chord.y);
+#ifdef EW_REACH
+    if (glow.y > 0.0) {
+        vec3 b = sqrt(beam.b2);
+        vec3 half_chord = sqrt(max((glow.y - b) * (glow.y + b), 0.0) / beam.k);
+        from = clamp(from, beam.s0 - half_chord, beam.s0 + half_chord);
+        to = clamp(to, beam.s0 - half_chord, beam.s0 + half_chord);
+    }
+#endif
+#ifdef EW_CORE_PIXELS
+    vec2 first = ew_find_core(beam.b2.x, beam.k.x, beam.s0.x, glow);
+    vec2 line = ew_find_core(beam.b2.y, beam.k.y, beam.s0.y, glow);
+    vec2 last = ew_find_core(beam.b2.z, beam.k.z, beam.s0.z, glow);
+    vec3 core_from = clamp(beam.s0 + vec3(first.x, line.x, last.x), from, to);
+    vec3 core_to = clamp(beam.s0 + vec3(first.y, line.y, last.y), from, to);
+#else
+    vec3 half_core = sqrt(max(glow.x * glow.x - beam.b2, 0.0) / beam.k);
+    vec3 core_from = clamp(beam.s0 - half_core, from, to);
+    vec3 core_to = clamp(beam.s0 + half_core, from, to);
+#endif
+    bool is_first = to.x - core_to.x > core_from.y - from.y;
+    bool is_last = core_from.z - from.z > to.y - core_to.y;
+    vec4 side_from = vec4(from.x, is_first ? core_to.x : from.y, is_last ? from.z : core_to.y, core_to.z);
+    vec4 side_to = vec4(core_from.x, is_first ? to.x : core_from.y, is_last ? core_from.z : to.y, to.z);
+    vec4 b2 = vec4(beam.b2.x, is_first ? beam.b2.x : beam.b2.y, is_last ? beam.b2.z : beam.b2.y, beam.b2.z);
+    vec2 s0 = vec2(is_first ? beam.s0.x : beam.s0.y, is_last ? beam.s0.z : beam.s0.y);
+    vec2 k = vec2(is_first ? beam.k.x : beam.k.y, is_last ? beam.k.z : beam.k.y);
+    vec4 weight = vec4(weights.x, is_first ? weights.x : weights.y, is_last ? weights.z : weights.y, weights.z);
+    ew_evaluation_count += 3;
+    float sum = weight.x * ew_integrate_reciprocal(b2.x, beam.k.x, beam.s0.x, side_from.x, side_to.x);
+    sum += weight.y * ew_integrate_reciprocal(b2.y, k.x, s0.x, side_from.y, side_to.y);
+    sum += weight.z * ew_integrate_reciprocal(b2.z, k.y, s0.y, side_from.z, side_to.z);
+    sum += weight.w * ew_integrate_reciprocal(b2.w, beam.k.z, beam.s0.z, side_from.w, side_to.w);
+    sum += weights.x * ew_integrate_core(vec2(core_from.x, core_to.x), glow);
+    sum += weights.y * ew_integrate_core(vec2(core_from.y, core_to.y), glow);
+    sum += weights.z * ew_integrate_core(vec2(core_from.z, core_to.z), glow);
+#ifdef EW_REACH
+    sum -= ew_inverse_reach(glow) * (weights.x * ew_measure(from.x, to.x) + weights.y * ew_measure(from.y, to.y) +
+                                     weights.z * ew_measure(from.z, to.z));
+#endif
+    return sum;
+}
+#endif
+
+float ew_integrate_beam(ew_segment segment, ew_path_block path, vec2 chord)
+{
+    ew_beam beam = ew_meet_beam(segment, path, chord);
+    float sum = 0.0;
+    vec3 weights = vec3(1.0);
+#ifdef EW_WEIGHTS
+    if (path.weights.y > 0.0) {
+        vec2 ends = vec2(ew_path_weight(path, 0.0), ew_path_weight(path, 1.0));
+        weights = beam.is_turned ? vec3(ends.y, 0.0, ends.x) : vec3(ends.x, 0.0, ends.y);
+        vec3 half_way = path.beam.xyz;
+        ew_slab slab = ew_make_slab(segment, vec4(path.ball.xyz - half_way, 0.0), vec4(path.ball.xyz + half_way, 1.0));
+        sum = ew_integrate_weighted_slab(segment, slab, path, beam.planes);
+    }
+#endif
+    return sum + ew_integrate_beam_parts(beam, chord, weights, path.glow);
+}

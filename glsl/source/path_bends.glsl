@@ -1,0 +1,93 @@
+// Paths with bent pieces.
+
+#ifdef EW_BENDS
+// The i-th piece of a path, as a curve.
+ew_curve_block ew_bent_piece(ew_path_block path, int i)
+{
+    vec4 origin = ew_piece_unit(path, 5.0, i, 0);
+    vec4 axis_x = ew_piece_unit(path, 5.0, i, 1);
+    vec4 axis_y = ew_piece_unit(path, 5.0, i, 2);
+    vec4 axis_z = ew_piece_unit(path, 5.0, i, 3);
+    vec4 domain = ew_piece_unit(path, 5.0, i, 4);
+    return ew_curve_block(vec4(origin.xyz, path.weights.z), axis_x, axis_y, axis_z, vec4(domain.xy, path.weights.xy),
+                          path.color, path.glow);
+}
+
+vec3 ew_place_at(ew_curve_block curve, float tau)
+{
+    return curve.origin.xyz + ew_slope_x(curve) * tau * curve.axis_x.xyz +
+           (ew_slope_y(curve) + ew_bend(curve) * tau) * tau * curve.axis_y.xyz;
+}
+
+// The part of `chord` on which the i-th piece may be within reach.
+vec2 ew_chord_of_piece(ew_segment segment, ew_path_block path, int i, vec2 chord)
+{
+#ifdef EW_REACH
+    if (path.glow.y > 0.0) return ew_chord(segment, ew_bent_piece(path, i));
+#endif
+    return chord;
+}
+
+// The first piece from the i-th on that the ray does not miss; the count of pieces if there is none. Like sources (light.glsl),
+// the others are passed over in a loop of their own, which stays where it is once it has found one.
+int ew_find_piece(ew_segment segment, ew_path_block path, int i, vec2 chord)
+{
+    int count = int(path.pieces.y);
+    bool is_hit = false;
+    do {
+        vec2 part = ew_chord_of_piece(segment, path, i, chord);
+        is_hit = is_hit || part.x < part.y;
+        i += is_hit ? 0 : 1;
+    } while (!is_hit && i < count && i < EW_MAX_PATH_PIECES);
+    return is_hit ? i : count;
+}
+
+// The sum over the pieces: each where no end is nearest, and its start together with the end of the piece before. Of a joint
+// with a piece that the ray misses, nothing is within reach.
+float ew_integrate_bends(ew_segment segment, ew_path_block path, vec2 chord, float others)
+{
+    int count = int(path.pieces.y);
+    bool is_closed = path.pieces.w > 0.0;
+    vec2 start = chord.xx; // of a closed path, the part to which its start is nearest
+    vec2 last = chord.xx;
+    vec3 end = vec3(0.0);
+    float last_weight = 1.0;
+    float sum = 0.0;
+    bool has_start = false; // the ray does not miss the first piece
+    int done = 0;
+    int i = 0;
+    do {
+        i = ew_find_piece(segment, path, i, chord);
+        if (i < count) {
+            vec4 domain = ew_piece_unit(path, 5.0, i, 4);
+            ew_curve_block curve = ew_bent_piece(path, i);
+            ew_arc arc = ew_make_arc(segment, curve);
+#ifdef EW_WEIGHTS
+            arc.place = domain.z;
+            arc.place_slope = domain.w - domain.z;
+#endif
+            vec2 part = ew_chord_of_piece(segment, path, i, chord);
+            ew_cell first_cell = ew_cell_of_end(arc, arc.first, 1.0);
+            ew_cell last_cell = ew_cell_of_end(arc, arc.last, -1.0);
+            vec2 first, next_last;
+            ew_find_parts(arc, first_cell, last_cell, part, first, next_last);
+            sum += ew_add_stretches(arc, first_cell, last_cell, first, next_last, part, 0.0, others + max(sum, 0.0));
+            if (i == 0) { start = first; has_start = true; }
+            bool is_joint = i > 0 && i == done;
+            vec2 weights = vec2(last_weight, ew_path_weight(path, domain.z));
+            if (is_joint || (i == 0 && !is_closed))
+                sum += ew_integrate_meeting(segment, ew_place_at(curve, arc.first), is_joint ? last : first.xx, first,
+                                            is_joint ? chord : first.xx, weights, path.glow);
+            last = next_last;
+            last_weight = ew_path_weight(path, domain.w);
+            end = ew_place_at(curve, arc.last);
+            done = ++i;
+        }
+    } while (i < count && i < EW_MAX_PATH_PIECES);
+    bool has_end = done == count && (has_start || !is_closed);
+    vec2 weights = vec2(last_weight, is_closed ? ew_path_weight(path, 0.0) : last_weight);
+    float at_end = ew_integrate_meeting(segment, end, last, is_closed ? start : last.xx, is_closed ? chord : last.xx, weights,
+                                        path.glow);
+    return sum + (has_end ? at_end : 0.0);
+}
+#endif

@@ -1,0 +1,154 @@
+// The points that count in a path: its ends and joints.
+
+// The integral of a point at `position` over a part of the ray that is in its reach.
+float ew_integrate_point_over(ew_segment segment, vec3 position, vec2 part, vec4 glow)
+{
+    vec3 to_point = position - segment.origin;
+    float k = ew_length_squared(segment.direction);
+    float s0 = dot(to_point, segment.direction) / k;
+    float b2 = ew_length_squared(to_point - s0 * segment.direction);
+#ifdef EW_REACH
+    if (glow.y > 0.0) {
+        vec2 chord = ew_chord_of(b2, k, s0, glow.y, segment.end);
+        part = vec2(clamp(part.x, chord.x, chord.y), clamp(part.y, chord.x, chord.y));
+    }
+#endif
+    float sum = 0.0;
+    if (EW_IS_NEEDED(part.x != part.y)) {
+        float sign = part.x < part.y ? 1.0 : -1.0;
+        sum = sign * ew_integrate_within_reach(b2, k, s0, vec2(min(part.x, part.y), max(part.x, part.y)), glow);
+    }
+    return sum;
+}
+
+#ifdef EW_WORLD
+// A point beside a ray. Its squared distance along the ray is b2 + k y^2, y = s - s0; it is within reach up to `half_chord`,
+// and in the core up to `half_core`. There the field is (1 - tilt (s - max(s0, 0))) / core, to the first order, as the core
+// grows with depth.
+struct ew_point_ray {
+    float b2;
+    float k;
+    float s0;
+    float half_chord;
+    float core2;
+    float half_core;
+    float tilt;
+    bool is_short; // just within reach
+};
+
+ew_point_ray ew_make_point_ray(ew_segment segment, vec3 position, vec4 glow)
+{
+    vec3 to_point = position - segment.origin;
+    ew_point_ray ray;
+    ray.k = ew_length_squared(segment.direction);
+    ray.s0 = dot(to_point, segment.direction) / ray.k;
+    ray.b2 = ew_length_squared(to_point - ray.s0 * segment.direction);
+    float b = sqrt(ray.b2);
+    ray.half_chord = sqrt(max((glow.y - b) * (glow.y + b), 0.0) / ray.k);
+    ray.core2 = ew_core2(glow, max(ray.s0, 0.0));
+    ray.half_core = sqrt(max(ray.core2 - ray.b2, 0.0) / ray.k);
+    ray.tilt = ew_core_tilt(glow, max(ray.s0, 0.0));
+    ray.is_short = ray.k * ew_square(ray.half_chord - ray.half_core) < 0.1 * ew_square(glow.y + sqrt(max(ray.core2, ray.b2)));
+    return ray;
+}
+
+// The integrals of the point's field from `from` to `to`, counted from s0 and within reach, are the sum of the second component
+// and of the logarithm of the first over sqrt(k). Nothing is left of ways from a place to itself. The antiderivative of 1 /
+// distance from the core on is
+//
+//     sign(y) log((d + sqrt(k) |y|) / (d_core + sqrt(k) half_core)) / sqrt(k)
+//     = 2 sign(y) atanh(sqrt(k) q) / sqrt(k),        q = (|y| - half_core) / (d + d_core).
+//
+// Of all ways the logarithms are one of a product. Where the ray passes just within reach, they would be small differences.
+vec2 ew_light_of_ways(ew_point_ray ray, vec2 to, vec2 from, vec4 glow)
+{
+    float root_k = sqrt(ray.k);
+    float d_core = sqrt(max(ray.core2, ray.b2));
+    vec4 y = vec4(to, from);
+    vec4 outside = max(abs(y), ray.half_core);
+    vec4 distance = sqrt(ray.b2 + ray.k * outside * outside);
+    vec4 inside = clamp(y, -ray.half_core, ray.half_core);
+    float at_point = 1.0 + ray.tilt * max(-ray.s0, 0.0);
+    vec4 linear = inside * (at_point - 0.5 * ray.tilt * inside) * inversesqrt(ray.core2) - y * ew_inverse_reach(glow);
+
+    vec4 sum = distance + root_k * outside;
+    vec4 at_core = vec4(d_core + root_k * ray.half_core);
+    bvec4 is_after = greaterThan(y, vec4(0.0));
+    vec4 above = mix(at_core, sum, is_after);
+    vec4 below = mix(sum, at_core, is_after);
+    vec2 power = (above.xy * below.zw) / (below.xy * above.zw);
+
+    vec4 q = sign(y) * (outside - ray.half_core) / (distance + d_core);
+    vec4 x2 = ray.k * q * q;
+    vec4 short_way = q * (2.0 + x2 * (0.66666667 + x2 * (0.4 + x2 * (0.28571429 + x2 * (0.22222222 + x2 * 0.18181818)))));
+    if (ray.is_short) linear += short_way;
+    vec2 difference = linear.xy - linear.zw;
+    return vec2(ray.is_short ? 1.0 : power.x * power.y, difference.x + difference.y);
+}
+#endif
+
+#ifdef EW_JOINTS
+// Where a point counts: on the ways along the ray from `from` to `to`, which count negatively where they go backwards.
+struct ew_node {
+    vec2 to;
+    vec2 from;
+};
+
+// A free end: the cap that begins or ends at `edge`. It lies towards the ray's end if `is_ahead`.
+ew_node ew_make_end(float edge, bool is_ahead, vec2 chord)
+{
+    return ew_node(vec2(is_ahead ? chord.y : edge, edge), vec2(is_ahead ? edge : chord.x, edge));
+}
+
+// A joint: the cap beyond the piece before it and the cap before the piece behind it, less the point itself. Where one cap
+// begins at the ray's start and the other ends at its end, all but the way between their edges cancels.
+ew_node ew_make_joint(float beyond, bool is_beyond_ahead, float before, bool is_before_ahead, vec2 chord)
+{
+    // Caps on different sides leave what is between their edges.
+    vec2 way = is_beyond_ahead ? vec2(before, beyond) : vec2(beyond, before);
+    if (is_beyond_ahead != is_before_ahead) return ew_node(way.xx, vec2(way.y, way.x));
+    vec2 edges = vec2(max(beyond, before), min(beyond, before));
+    return is_beyond_ahead ? ew_node(chord.yx, edges) : ew_node(edges, chord.yx);
+}
+
+#ifdef EW_WORLD
+float ew_integrate_node(ew_segment segment, vec3 position, ew_node node, vec4 glow)
+{
+    ew_point_ray ray = ew_make_point_ray(segment, position, glow);
+    vec4 y = clamp(vec4(node.to, node.from) - ray.s0, -ray.half_chord, ray.half_chord);
+    vec2 light = ew_light_of_ways(ray, y.xy, y.zw, glow);
+    ew_evaluation_count += 1;
+    return 0.69314718 * log2(light.x) * inversesqrt(ray.k) + light.y;
+}
+#else
+float ew_integrate_node(ew_segment segment, vec3 position, ew_node node, vec4 glow)
+{
+    return ew_integrate_point_over(segment, position, vec2(node.from.x, node.to.x), glow) +
+           ew_integrate_point_over(segment, position, vec2(node.from.y, node.to.y), glow);
+}
+#endif
+#endif
+
+#ifdef EW_BENDS
+// The light of a point over the part `last` of the ray, to which it is nearest as the end of one piece, with that piece's
+// weight, and over `first`, to which it is nearest as the start of the next; less a whole point, over `whole`. A free end has
+// but one of the parts.
+float ew_integrate_meeting(ew_segment segment, vec3 position, vec2 last, vec2 first, vec2 whole, vec2 weights, vec4 glow)
+{
+#ifdef EW_WORLD
+    ew_point_ray ray = ew_make_point_ray(segment, position, glow);
+    vec4 parts = clamp(vec4(last, first) - ray.s0, -ray.half_chord, ray.half_chord);
+    vec2 all = clamp(whole - ray.s0, -ray.half_chord, ray.half_chord);
+    vec2 outer = ew_light_of_ways(ray, vec2(max(parts.y, parts.w), all.x), vec2(all.y, min(parts.x, parts.z)), glow);
+    vec2 inner = ew_light_of_ways(ray, vec2(min(parts.y, parts.w), 0.0), vec2(max(parts.x, parts.z), 0.0), glow);
+    float sum = weights.y * (0.69314718 * log2(outer.x * inner.x) * inversesqrt(ray.k) + outer.y + inner.y);
+    ew_evaluation_count += 1;
+    if (weights.x != weights.y) sum += (weights.x - weights.y) * ew_integrate_point_over(segment, position, last, glow);
+    return sum;
+#else
+    return weights.x * ew_integrate_point_over(segment, position, last, glow) +
+           weights.y * ew_integrate_point_over(segment, position, first, glow) -
+           weights.y * ew_integrate_point_over(segment, position, whole, glow);
+#endif
+}
+#endif

@@ -1,0 +1,123 @@
+// The light of a straight piece of a path that has weights, between its ends.
+
+#ifdef EW_WEIGHTS
+// Gauss's four nodes on [0, 1].
+const vec4 EW_PATH_NODES = vec4(0.06943184, 0.33000948, 0.66999052, 0.93056816);
+const vec4 EW_PATH_NODE_WEIGHTS = vec4(0.17392742, 0.32607258, 0.32607258, 0.17392742);
+
+#ifndef EW_WORLD
+// More panels than any part takes: they grow by factors.
+const int EW_MAX_PATH_PANELS = 64;
+
+// The same with the decay, by Gauss's rule in panels that grow from the line's peak outwards, and no faster than the depth:
+// none is longer than its distance from what is singular. Relative error 1e-4.
+float ew_integrate_weighted_part(ew_segment segment, ew_slab slab, vec2 part, vec3 weight_by_t, vec4 glow)
+{
+    float b2, k, s0;
+    ew_find_line(segment, slab, glow, part, b2, k, s0);
+    float scale = (slab.t.y - slab.t.x) / max(slab.size, 1e-30);
+    float core2 = ew_core2(glow, clamp(s0, part.x, part.y));
+    float half_core = sqrt(max(core2 - b2, 0.0) / k);
+    float half_peak = sqrt(max(b2, core2) / k);
+    float center = clamp(s0, part.x, part.y);
+    float sum = 0.0;
+    float side = -1.0;
+    float from = center;
+    int panel = 0;
+    do {
+        float stop = side < 0.0 ? part.x : part.y;
+        float away = abs(from - s0);
+        // A panel up to the core's edge may end before it, by rounding. The next one then goes on beyond.
+        float size = away < 0.999 * half_core ? half_core - away : max(away, half_peak);
+        size = min(size, 0.5 * (from + ew_beta()));
+        float to = side < 0.0 ? max(from - size, stop) : min(from + size, stop);
+        vec4 s = from + (to - from) * EW_PATH_NODES;
+        vec4 t = slab.t.x + scale * (slab.along + s * slab.growth);
+        vec4 weight = weight_by_t.x + t * (weight_by_t.y + t * weight_by_t.z);
+        vec4 squared = b2 + k * (s - s0) * (s - s0);
+        squared = max(squared, vec4(ew_core2(glow, s.x), ew_core2(glow, s.y), ew_core2(glow, s.z), ew_core2(glow, s.w)));
+        vec4 depth = s + ew_beta();
+        vec4 value = weight * (inversesqrt(squared) - ew_inverse_reach(glow)) / (depth * depth);
+        sum += abs(to - from) * dot(EW_PATH_NODE_WEIGHTS, value);
+        bool is_side_done = to == stop;
+        from = is_side_done ? center : to;
+        side = is_side_done ? side + 2.0 : side;
+    } while (side < 2.0 && ++panel < EW_MAX_PATH_PANELS);
+    ew_evaluation_count += 4;
+    return sum;
+}
+#else
+// The integral over [from, to], outside of the core, of (polynomial in y = s - s0) (1 / sqrt(b2 + k y^2) - 1 / reach): closed
+// forms. Where the part is short, compared with the distance, they would be small differences, and all is smooth.
+float ew_integrate_weighted_side(float b2, float k, float s0, float from, float to, vec3 polynomial, vec4 glow)
+{
+    float y_from = from - s0;
+    float y_to = to - s0;
+    float d_from = sqrt(b2 + k * y_from * y_from);
+    float d_to = sqrt(b2 + k * y_to * y_to);
+    float least2 = y_from * y_to > 0.0 ? ew_square(min(d_from, d_to)) : b2;
+    if (k * ew_square(0.5 * (to - from)) < 0.1 * least2) {
+        vec4 y = y_from + (to - from) * EW_PATH_NODES;
+        vec4 weight = polynomial.x + y * (polynomial.y + y * polynomial.z);
+        return (to - from) * dot(EW_PATH_NODE_WEIGHTS, weight * (inversesqrt(b2 + k * y * y) - ew_inverse_reach(glow)));
+    }
+    float moment0 = ew_integrate_reciprocal(b2, k, s0, from, to);
+    float moment1 = (to - from) * (y_from + y_to) / max(d_from + d_to, 1e-30);
+    float moment2 = 0.5 * (y_to * d_to - y_from * d_from - b2 * moment0) / k;
+    float way = y_to - y_from;
+    vec3 at_reach = way * vec3(1.0, 0.5 * (y_to + y_from), (y_to * y_to + y_to * y_from + y_from * y_from) / 3.0);
+    return dot(polynomial, vec3(moment0, moment1, moment2) - ew_inverse_reach(glow) * at_reach);
+}
+
+// The same as ew_integrate_slab for a part of the piece on which the weight is one polynomial of the place along it.
+float ew_integrate_weighted_part(ew_segment segment, ew_slab slab, vec2 part, vec3 weight_by_t, vec4 glow)
+{
+    float b2, k, s0;
+    ew_find_line(segment, slab, glow, part, b2, k, s0);
+    float scale = (slab.t.y - slab.t.x) / max(slab.size, 1e-30);
+    // The weight by y = s - s0: f = base + slope y is the place in the weight's piece.
+    float base = slab.t.x + scale * (slab.along + s0 * slab.growth);
+    float slope = scale * slab.growth;
+    vec3 polynomial = vec3(weight_by_t.x + base * (weight_by_t.y + base * weight_by_t.z),
+                           slope * (weight_by_t.y + 2.0 * base * weight_by_t.z), slope * slope * weight_by_t.z);
+    // The core, in which the weight over its radius is smooth.
+    float core2 = ew_core2(glow, clamp(s0, part.x, part.y));
+    float half_core = sqrt(max(core2 - b2, 0.0) / k);
+    vec2 core = vec2(clamp(s0 - half_core, part.x, part.y), clamp(s0 + half_core, part.x, part.y));
+    vec4 s = core.x + (core.y - core.x) * EW_PATH_NODES;
+    vec4 y = s - s0;
+    vec4 weight = polynomial.x + y * (polynomial.y + y * polynomial.z);
+    vec4 radius2 = vec4(ew_core2(glow, s.x), ew_core2(glow, s.y), ew_core2(glow, s.z), ew_core2(glow, s.w));
+    float sum = (core.y - core.x) * dot(EW_PATH_NODE_WEIGHTS, weight * (inversesqrt(radius2) - ew_inverse_reach(glow)));
+    if (part.x < core.x) sum += ew_integrate_weighted_side(b2, k, s0, part.x, core.x, polynomial, glow);
+    if (core.y < part.y) sum += ew_integrate_weighted_side(b2, k, s0, core.y, part.y, polynomial, glow);
+    ew_evaluation_count += 1;
+    return sum;
+}
+#endif
+
+// The most knots of the weights that lie on one straight piece, and one.
+const int EW_MAX_PIECE_KNOTS = 1024;
+
+float ew_integrate_weighted_slab(ew_segment segment, ew_slab slab, ew_path_block path, vec2 part)
+{
+    float count = path.weights.y;
+    float piece = min(floor(slab.t.x * count), count - 1.0);
+    float last_piece = min(floor(slab.t.y * count), count - 1.0);
+    float sum = 0.0;
+    int knot = 0;
+    do {
+        // Between two knots, by the place along the whole path: f = t count - piece.
+        vec3 by_f = ew_weight_piece(int(path.weights.x + piece)).polynomial.xyz;
+        vec3 by_t = vec3(by_f.x - piece * (by_f.y - piece * by_f.z), count * (by_f.y - 2.0 * piece * by_f.z), count * count * by_f.z);
+        vec2 t = clamp(vec2(piece, piece + 1.0) / count, slab.t.x, slab.t.y);
+        vec2 place = (t - slab.t.x) / max(slab.t.y - slab.t.x, 1e-30) * slab.size;
+        float from = ew_s_at_plane(slab, place.x, part);
+        float to = ew_s_at_plane(slab, place.y, part);
+        vec2 between = vec2(min(from, to), max(from, to));
+        if (between.x < between.y) sum += ew_integrate_weighted_part(segment, slab, between, by_t, path.glow);
+        piece += 1.0;
+    } while (piece <= last_piece && ++knot < EW_MAX_PIECE_KNOTS);
+    return sum;
+}
+#endif
