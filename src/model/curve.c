@@ -75,6 +75,7 @@ extern const ew_kind ew_curve_kind;
 const ew_kind ew_curve_kind = {
     EW_KIND_NAMES(curve, CURVE, curves),
     .check = check,
+    .cost_in_points = 8,
     .bound = bound,
     .chord_file = ew_glsl_curve_chord_glsl,
     .hull = hull,

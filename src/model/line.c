@@ -51,6 +51,7 @@ extern const ew_kind ew_line_kind;
 const ew_kind ew_line_kind = {
     EW_KIND_NAMES(line, LINE, lines),
     .check = check,
+    .cost_in_points = 1,
     .bound = bound,
     .hull = hull,
     .pack = pack,

@@ -178,6 +178,7 @@ extern const ew_kind ew_path_kind_row;
 const ew_kind ew_path_kind_row = {
     EW_KIND_NAMES(path, PATH, paths),
     .check = check,
+    .cost_in_points = 2,
     .bound = bound,
     .chord_file = ew_glsl_path_chord_glsl,
     .weights = weights_of,

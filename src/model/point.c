@@ -38,6 +38,7 @@ extern const ew_kind ew_point_kind;
 const ew_kind ew_point_kind = {
     EW_KIND_NAMES(point, POINT, points),
     .check = check,
+    .cost_in_points = 1,
     .bound = bound,
     .hull = hull,
     .pack = pack,

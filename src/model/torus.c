@@ -60,6 +60,7 @@ extern const ew_kind ew_torus_kind;
 const ew_kind ew_torus_kind = {
     EW_KIND_NAMES(torus, TORUS, tori),
     .check = check,
+    .cost_in_points = 4,
     .bound = bound,
     .chord_file = ew_glsl_torus_chord_glsl,
     .hull = hull,

@@ -41,13 +41,27 @@ static unsigned field_of(const ew_mix *mix, const ew_frame_desc *frame)
     return key;
 }
 
+static size_t count_in(const ew_mix *mix, int kind)
+{
+    size_t count;
+    memcpy(&count, (const char *)mix + ew_kinds[kind]->mix_offset, sizeof count);
+    return count;
+}
+
+double ew_mix_cost(const ew_mix *mix)
+{
+    double cost = 0;
+    for (int kind = 0; kind < EW_KIND_COUNT; ++kind)
+        cost += (double)count_in(mix, kind) * ew_kinds[kind]->cost_in_points;
+    return cost;
+}
+
 unsigned ew_permutation_of(const ew_mix *mix, const ew_frame_desc *frame)
 {
     unsigned key = dither_of(frame) | field_of(mix, frame);
     bool takes_weights = false;
     for (int kind = 0; kind < EW_KIND_COUNT; ++kind) {
-        size_t count;
-        memcpy(&count, (const char *)mix + ew_kinds[kind]->mix_offset, sizeof count);
+        size_t count = count_in(mix, kind);
         key = ew_permutation_with_count(key, kind, count);
         takes_weights = takes_weights || (ew_kinds[kind]->weights && count > 0);
     }

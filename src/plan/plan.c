@@ -134,13 +134,13 @@ static ew_blend blend_of(ew_output output)
     }
 }
 
-/* Below this number of pixels, the passes of a grid cost more than they save. */
-enum { MIN_ADAPTIVE_PIXELS = 256 * 256 };
+/* Below these, the passes of a grid cost more than they save: pixels, and what one of them costs (see ew_mix_cost). */
+enum { MIN_ADAPTIVE_PIXELS = 256 * 256, MIN_ADAPTIVE_COST = 4 };
 
-static bool is_adaptive(const ew_frame_desc *frame)
+static bool is_adaptive(const ew_frame_desc *frame, const ew_mix *mix)
 {
     return frame->resolution == EW_RESOLUTION_ADAPTIVE && frame->integrator == EW_INTEGRATOR_ADAPTIVE &&
-           frame->output != EW_OUTPUT_EVALUATIONS &&
+           frame->output != EW_OUTPUT_EVALUATIONS && ew_mix_cost(mix) >= MIN_ADAPTIVE_COST &&
            (double)frame->viewport_width * frame->viewport_height >= MIN_ADAPTIVE_PIXELS;
 }
 
@@ -162,7 +162,7 @@ ew_result ew_plan_frame(ew_plan *plan, ew_sources *sources, const ew_mix *mix, c
     plan->target = (ew_target){frame->framebuffer, viewport, blend_of(frame->output), frame->encoding == EW_ENCODING_SRGB_8BIT,
                                frame->keep_stencil_test};
     plan->depth = (ew_depth_request){frame->depth_source, frame->depth_texture};
-    plan->is_adaptive = is_adaptive(frame);
+    plan->is_adaptive = is_adaptive(frame, mix ? mix : &current);
     plan->skips_restore = frame->skip_restore;
     return EW_OK;
 }

@@ -501,7 +501,9 @@ static void effect_create(int context)
     const ew_effect_desc desc = {.get_proc_address = context_get_proc_address, .user = contexts[context]};
     const ew_point point = {.position = {0.1, 0.1, 0}, .coefficient = 0.3, .color = {1, 0.5, 0.2}};
     const ew_line line = {.position = {0, -0.5, 0}, .direction = {1, 0.2, 0.1}, .coefficient = 0.2, .color = {0.2, 0.5, 1}};
-    const ew_sources_desc sources = {.points = &point, .point_count = 1, .lines = &line, .line_count = 1, .epsilon = 1e-2};
+    const ew_torus torus = {.axis = {1, 0.3, 0}, .radius = 0.4, .coefficient = 0.1, .color = {0.3, 1, 0.4}};
+    const ew_sources_desc sources = {
+        .points = &point, .point_count = 1, .lines = &line, .line_count = 1, .tori = &torus, .torus_count = 1, .epsilon = 1e-2};
     ew_error error = {.text = ""};
     if (ew_create_effect(&desc, &effects[context], &error) != EW_OK) fail_msg("%s", error.text);
     if (ew_set_sources(effects[context], &sources, &error) != EW_OK) fail_msg("%s", error.text);
