@@ -65,6 +65,32 @@ static void a_given_mix_takes_the_place_of_the_sources_own(void **state)
     assert_int_not_equal(plan_of(&frame, NULL).permutation, plan_of(&frame, &mix).permutation);
 }
 
+static void resolution_is_adaptive_where_the_header_says(void **state)
+{
+    (void)state;
+    const ew_mix curve = {.curve_count = 1}, three_points = {.point_count = 3}, four_points = {.point_count = 4},
+                 beam = {.path_count = 1}, beams = {.path_count = 2};
+    ew_frame_desc frame = make_frame();
+    assert_true(plan_of(&frame, &curve).is_adaptive);
+    assert_true(plan_of(&frame, &four_points).is_adaptive && plan_of(&frame, &beams).is_adaptive);
+    assert_false(plan_of(&frame, &three_points).is_adaptive || plan_of(&frame, &beam).is_adaptive);
+
+    frame.viewport_width = frame.viewport_height = 256;
+    assert_true(plan_of(&frame, &curve).is_adaptive);
+    frame.viewport_height = 255;
+    assert_false(plan_of(&frame, &curve).is_adaptive);
+
+    frame = make_frame();
+    frame.resolution = EW_RESOLUTION_FULL;
+    assert_false(plan_of(&frame, &curve).is_adaptive);
+    frame = make_frame();
+    frame.integrator = EW_INTEGRATOR_SIMPSON;
+    assert_false(plan_of(&frame, &curve).is_adaptive);
+    frame = make_frame();
+    frame.output = EW_OUTPUT_EVALUATIONS;
+    assert_false(plan_of(&frame, &curve).is_adaptive);
+}
+
 static void uniforms_need_no_target(void **state)
 {
     (void)state;
@@ -81,6 +107,7 @@ int main(void)
         cmocka_unit_test(the_output_decides_the_blending),
         cmocka_unit_test(target_and_depth_are_the_frames),
         cmocka_unit_test(a_given_mix_takes_the_place_of_the_sources_own),
+        cmocka_unit_test(resolution_is_adaptive_where_the_header_says),
         cmocka_unit_test(uniforms_need_no_target),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
