@@ -16,6 +16,7 @@ static struct fake_context {
     GLint profile;
     const char *absent[4]; /* what the loader does not know */
     bool knows_nothing;
+    bool has_small_points;
 } fake;
 
 static const GLubyte *fake_get_string(GLenum name)
@@ -59,6 +60,14 @@ static void fake_get_integer(GLenum name, GLint *value)
     }
 }
 
+static void fake_get_float(GLenum name, GLfloat *value)
+{
+    enum { ES_ALIASED_POINT_SIZE_RANGE = 0x846D };
+    assert_int_equal(name, strncmp(fake.version, "OpenGL ES", 9) == 0 ? ES_ALIASED_POINT_SIZE_RANGE : GL_POINT_SIZE_RANGE);
+    value[0] = 1;
+    value[1] = fake.has_small_points ? 31 : 255;
+}
+
 static void fake_function(void)
 {
     fail_msg("%s", "a function was called that loading has no need of");
@@ -72,6 +81,7 @@ static ew_gl_function fake_loader(void *user, const char *name)
         if (strcmp(name, fake.absent[i]) == 0) return NULL;
     if (strcmp(name, "glGetString") == 0) return (ew_gl_function)fake_get_string;
     if (strcmp(name, "glGetStringi") == 0) return (ew_gl_function)fake_get_string_i;
+    if (strcmp(name, "glGetFloatv") == 0) return (ew_gl_function)fake_get_float;
     if (strcmp(name, "glGetIntegerv") == 0) return (ew_gl_function)fake_get_integer;
     return fake_function;
 }
@@ -310,6 +320,23 @@ static void a_clip_origin_is_asked_for_only_where_it_can_be_set(void **state)
     assert_true(gl.clip_control);
 }
 
+static void grids_need_float_targets_and_points_as_large_as_blocks(void **state)
+{
+    (void)state;
+    fake = (struct fake_context){.version = "OpenGL ES 3.0"};
+    assert_int_equal(load(), EW_OK);
+    assert_false(gl.float_targets);
+    fake.extensions[0] = "GL_EXT_color_buffer_float";
+    assert_int_equal(load(), EW_OK);
+    assert_true(gl.float_targets);
+    fake.has_small_points = true;
+    assert_int_equal(load(), EW_OK);
+    assert_false(gl.float_targets);
+    fake = (struct fake_context){.version = "3.3", .profile = GL_CONTEXT_CORE_PROFILE_BIT};
+    assert_int_equal(load(), EW_OK);
+    assert_true(gl.float_targets);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -324,6 +351,7 @@ int main(void)
         cmocka_unit_test(optional_functions_come_with_versions_and_extensions_only),
         cmocka_unit_test(capabilities_are_asked_for_only_where_they_are_known),
         cmocka_unit_test(a_clip_origin_is_asked_for_only_where_it_can_be_set),
+        cmocka_unit_test(grids_need_float_targets_and_points_as_large_as_blocks),
     };
     return cmocka_run_group_tests_name("gl load", tests, NULL, NULL);
 }
