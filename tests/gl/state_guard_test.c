@@ -42,6 +42,7 @@ static test_target targets[] = {
 };
 enum { TARGET_COUNT = sizeof targets / sizeof targets[0] };
 
+/* Too large for the stack of some systems. */
 typedef struct test_picture {
     GLfloat pixels[HEIGHT][WIDTH][4];
 } test_picture;
@@ -117,8 +118,8 @@ static GLuint make_multisampled_depth(GLfloat depth)
 
 static void make_depth_textures(void)
 {
-    GLfloat depth[HEIGHT][WIDTH];
-    GLuint packed[HEIGHT][WIDTH];
+    static GLfloat depth[HEIGHT][WIDTH];
+    static GLuint packed[HEIGHT][WIDTH];
     for (int y = 0; y < HEIGHT; y++)
         for (int x = 0; x < WIDTH; x++) {
             depth[y][x] = 1 - 0.05f * (GLfloat)(x + y) / (WIDTH + HEIGHT);
@@ -200,7 +201,7 @@ static void read_picture(const test_target *target, GLenum attachment, test_pict
     if (target->format == GL_RGBA32F) {
         gl.ReadPixels(0, 0, WIDTH, HEIGHT, GL_RGBA, GL_FLOAT, picture->pixels);
     } else {
-        GLubyte bytes[HEIGHT][WIDTH][4];
+        static GLubyte bytes[HEIGHT][WIDTH][4];
         gl.ReadPixels(0, 0, WIDTH, HEIGHT, GL_RGBA, GL_UNSIGNED_BYTE, bytes);
         for (int y = 0; y < HEIGHT; y++)
             for (int x = 0; x < WIDTH; x++)
@@ -320,7 +321,7 @@ static test_outcome draw_scrambled(const test_subject *subject, const test_targe
 /* Draws from scrambled states. All must be as before, and the picture as from the clean state. */
 static void check_neutrality(const test_subject *subject, int seeds)
 {
-    test_picture cleared, expected, found, bystander;
+    static test_picture cleared, expected, found, bystander;
     int failures = 0;
     make_current(CLEAN);
     subject->create(CLEAN);
