@@ -132,6 +132,8 @@ bool options_read(int argc, char **argv, demo_options *options, char *message, s
         {"backend", 0, read_backend, &options->backend, BACKEND_REMEDY},
     };
     const command_program program = {"ew-demo", help, table, sizeof table / sizeof *table};
-    return command_line_read(&argc, argv, &program, message, size) &&
-           command_line_read_scene(argc, argv, "show", &options->scene, message, size) && check(options, message, size);
+    bool ok = command_line_read(&argc, argv, &program, message, size) &&
+              command_line_read_scene(argc, argv, "show", &options->scene, message, size) && check(options, message, size);
+    options->right.resolution = options->settings.resolution; /* both halves differ in the integrator alone */
+    return ok;
 }

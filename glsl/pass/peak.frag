@@ -1,4 +1,4 @@
-// The largest B of a block of nodes; or of a block of such blocks.
+// The largest B of EW_PEAK_SIZE x EW_PEAK_SIZE nodes; or of as many of these peaks.
 
 uniform sampler2D ew_node_texture;
 uniform ivec2 ew_source_size;
