@@ -13,6 +13,7 @@ struct ew_effect {
     ew_allocator allocator;
     ew_device device;
     ew_sources sources;
+    ew_tile_lists lists;
     char *shader_text; /* what ew_get_shader_text returned last */
 };
 
@@ -49,6 +50,7 @@ void ew_abandon_effect(ew_effect *effect)
     const ew_allocator allocator = effect->allocator;
     ew_device_abandon(&effect->device, &allocator);
     ew_sources_destroy(&effect->sources, &allocator);
+    ew_destroy_tile_lists(&effect->lists, &allocator);
     if (effect->shader_text) allocator.deallocate(allocator.user, effect->shader_text);
     allocator.deallocate(allocator.user, effect);
 }
@@ -56,7 +58,7 @@ void ew_abandon_effect(ew_effect *effect)
 ew_result ew_set_sources(ew_effect *effect, const ew_sources_desc *sources, ew_error *error)
 {
     if (!effect) return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "effect must not be NULL");
-    return ew_sources_set(&effect->sources, sources, ew_gl_dialect(&effect->device.gl).capacity, &effect->allocator, error);
+    return ew_sources_set(&effect->sources, sources, &effect->allocator, error);
 }
 
 /* The frame as it is planned, in `settled`. NULL for none. */
@@ -67,12 +69,20 @@ static const ew_frame_desc *settle(const ew_effect *effect, const ew_frame_desc 
     return settled;
 }
 
+/* Plans the drawing of the effect's sources, with the shader for `mix` or, with NULL, for them. */
+static ew_result plan_frame(ew_effect *effect, const ew_mix *mix, const ew_frame_desc *frame, ew_plan *plan, ew_error *error)
+{
+    ew_frame_desc settled;
+    frame = settle(effect, frame, &settled);
+    ew_result result = ew_plan_frame(plan, &effect->sources, mix, frame, error);
+    return result == EW_OK ? ew_plan_lists(plan, &effect->lists, &effect->sources, frame, &effect->allocator, error) : result;
+}
+
 ew_result ew_draw(ew_effect *effect, const ew_frame_desc *frame, ew_error *error)
 {
     if (!effect) return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "effect must not be NULL");
-    ew_frame_desc settled;
     ew_plan plan;
-    ew_result result = ew_plan_frame(&plan, &effect->sources, NULL, settle(effect, frame, &settled), error);
+    ew_result result = plan_frame(effect, NULL, frame, &plan, error);
     return result == EW_OK ? ew_execute(&effect->device, &plan, &effect->allocator, error) : result;
 }
 
@@ -97,9 +107,8 @@ ew_result ew_prepare_step(ew_effect *effect, const ew_mix *mix, const ew_frame_d
 {
     if (!steps_left) return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "steps_left must not be NULL");
     if (!effect) return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "effect must not be NULL");
-    ew_frame_desc settled;
     ew_plan plan;
-    ew_result result = ew_plan_frame(&plan, &effect->sources, mix, settle(effect, frame, &settled), error);
+    ew_result result = plan_frame(effect, mix, frame, &plan, error);
     if (result != EW_OK) return result;
     return ew_execute_ahead(&effect->device, &plan, &effect->allocator, steps_left, error);
 }
@@ -136,7 +145,7 @@ ew_result ew_update_uniform_buffer(ew_effect *effect, const ew_frame_desc *frame
     ew_plan plan;
     ew_result result = ew_plan_uniforms(&plan, &effect->sources, settle(effect, frame, &settled), error);
     if (result != EW_OK) return result;
-    ew_upload(&effect->device, &plan);
-    *buffer = effect->device.uniform_buffer;
-    return EW_OK;
+    result = ew_upload(&effect->device, &plan, error);
+    if (result == EW_OK) *buffer = effect->device.uniform_buffer;
+    return result;
 }

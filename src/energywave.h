@@ -81,11 +81,11 @@ extern "C" {
 #define EW_VERSION_MINOR 1
 #define EW_VERSION_PATCH 0
 
-/* The sources of an effect share one uniform block, which is counted in units of 16 bytes. A point takes 2 units, a line or a
- * torus 3, a curve 6. A curve with n weights takes n - 2 units more, and at least one more. All sources together take at most
- * EW_MAX_SOURCE_UNITS. A context whose uniform blocks are smaller than 64 KiB (GL and GLES guarantee only 16 KiB) holds
- * proportionally fewer; the error says how many. */
-#define EW_MAX_SOURCE_UNITS 4064
+/* The memory that sources take is counted in units of 16 bytes. A point takes 2 units, a line or a torus 3, a curve 6. A curve with n
+ * weights takes n - 2 units more, and at least one more. Where a source has a reach or a core of its own, each takes one more. All
+ * sources of an effect together take at most EW_MAX_SOURCE_UNITS. A uniform block holds about 1000 units everywhere, and 4000 on
+ * most contexts; ew_draw takes more than that from a texture. */
+#define EW_MAX_SOURCE_UNITS 65536
 /* The largest count of each kind, in an effect that has no other kind. */
 #define EW_MAX_POINTS (EW_MAX_SOURCE_UNITS / 2)
 #define EW_MAX_LINES (EW_MAX_SOURCE_UNITS / 3)
@@ -553,6 +553,7 @@ typedef struct ew_mix {
     int has_sharpness; /* 1: sources with or without sharpness; 0: only without */
     int has_joints;    /* 1: paths of any number of pieces; 0: straight beams only */
     int has_bends;     /* 1: paths with or without bent pieces; 0: polylines only */
+    int has_many;      /* 1: more sources than a uniform block takes: see EW_MAX_SOURCE_UNITS */
 } ew_mix;
 
 #define EW_ANY_COUNT 5

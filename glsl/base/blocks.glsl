@@ -34,6 +34,21 @@ EW_VARYING ivec4 ew_source_counts[EW_COUNT_VECTORS];
 EW_VARYING vec4 ew_sources[EW_SOURCE_VARYINGS];
 #endif
 
+#ifdef EW_SOURCE_TEXTURE
+// There are more sources than the block takes.
+uniform highp sampler2D ew_source_texture;
+#endif
+
+// Unit i of the sources.
+vec4 ew_source_unit(int i)
+{
+#ifdef EW_SOURCE_TEXTURE
+    return texelFetch(ew_source_texture, ivec2(i % EW_TEXTURE_WIDTH, i / EW_TEXTURE_WIDTH), 0);
+#else
+    return ew_source_data[i];
+#endif
+}
+
 #ifdef EW_VERTEX_STAGE
 // Hands on what is the same for all fragments.
 void ew_copy_varyings()
@@ -97,7 +112,7 @@ vec4 ew_source(int start, int size, int count, int i)
            : count < 4 || i == 2 ? ew_sources[start + 2 * size]
                                  : ew_sources[start + 3 * size];
 #else
-    return ew_source_data[start + i * size];
+    return ew_source_unit(start + i * size);
 #endif
 }
 #endif

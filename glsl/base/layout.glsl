@@ -28,6 +28,7 @@ struct ew_frame_block {
 struct ew_grid_block {
     ivec4 viewport; // xy: its first pixel, zw: its size in pixels
     vec4 tolerance; // x: how much an interpolated pixel may be off, relative to its light or to y times the picture's largest
+    ivec4 tiles;    // x: columns of tiles, y: log2 of a tile's width in pixels (see list.glsl)
 };
 
 // Adaptive resolution divides the viewport into square cells of EW_CELL_SIZE pixels, and these stand in blocks of EW_BLOCK_CELLS by
@@ -37,6 +38,11 @@ struct ew_grid_block {
 #define EW_BLOCK_CELLS 4
 #define EW_NODE_MARGIN (2 * EW_BLOCK_CELLS)
 #define EW_PEAK_SIZE 16
+
+// Tiles, over which there are lists of the sources that may light them, are as wide as blocks or, where lists would be too long, wider by
+// a power of two. The first tile begins where the first node is. The texture of the lists is EW_TEXTURE_WIDTH wide.
+#define EW_TILE_SIZE_LOG2 5
+#define EW_TEXTURE_WIDTH 1024
 
 // How many kinds of sources there are, and how many ivec4 their counts take.
 #define EW_KIND_COUNT 5

@@ -38,23 +38,31 @@ float ew_others(vec4 sum, vec4 color)
 #endif
 #define EW_INTEGRAL(source) EW_SPEED ew_integrate(segment, source, chord, ew_others(sum, source.color))
 #define EW_ADD_SOURCE(source) ew_add(EW_INTEGRAL(source), source.color, source.glow, sum)
+// The sources of a kind, by its number: places from EW_FIRST to EW_END of its list.
+#ifdef EW_LISTS
+#define EW_FIRST(kind) ew_list_entry(ew_tile + kind)
+#define EW_END(kind, count) ew_list_entry(ew_tile + kind + 1)
+#define EW_PLACE(i) ew_list_entry(i)
+#else
+#define EW_FIRST(kind) 0
+#define EW_END(kind, count) count
+#define EW_PLACE(i) i
+#endif
+#define EW_EACH(kind, count, body) { int i = EW_FIRST(kind); int end = EW_END(kind, count); if (i < end) { do { body } while (i < end); } }
 #ifdef EW_FIELD
-#define EW_ADD_READ(block, read) block source = read(i); sum.a += ew_field_of(segment, source);
-#define EW_ADD_KIND(block, read, count) if (count > 0) { int i = 0; do { EW_ADD_READ(block, read) } while (++i < count); }
+#define EW_ADD(block, read) block source = read(EW_PLACE(i)); sum.a += ew_field_of(segment, source); ++i;
 #elif defined(EW_REACH)
 // Sources that the ray misses are passed over in a loop of their own: where a group of pixels has few, a software rasteriser goes
 // through the expensive body as often as the pixel of the group that has most. A pixel that has left that loop while others of its
 // group have not may see its values computed once more (llvmpipe does so); so the search stays where it is once it has found one.
 #define EW_CHORD(source) source.glow.y > 0.0 ? min(ew_chord(segment, source), max(ew_last_lit(source.glow), 0.0)) : whole
-#define EW_TRY(block, read) block tried = read(i); chord = EW_CHORD(tried); hit = hit || chord.x < chord.y; i += hit ? 0 : 1;
-#define EW_FIND(block, read, count) bool hit = false; do { EW_TRY(block, read) } while (!hit && i < count);
-#define EW_ADD_HIT(block, read) block source = read(i); chord = EW_CHORD(source); EW_ADD_SOURCE(source); ++i;
-#define EW_ADD_NEXT(block, read, count) EW_FIND(block, read, count) if (hit) { EW_ADD_HIT(block, read) }
-#define EW_ADD_KIND(block, read, count) if (count > 0) { int i = 0; do { EW_ADD_NEXT(block, read, count) } while (i < count); }
+#define EW_TRY(read) source = read(EW_PLACE(i)); chord = EW_CHORD(source); hit = hit || chord.x < chord.y; i += hit ? 0 : 1;
+#define EW_FIND(block, read) block source; bool hit = false; do { EW_TRY(read) } while (!hit && i < end);
+#define EW_ADD(block, read) EW_FIND(block, read) if (hit) { EW_ADD_SOURCE(source); ++i; }
 #else
-#define EW_ADD_READ(block, read) block source = read(i); EW_ADD_SOURCE(source)
-#define EW_ADD_KIND(block, read, count) if (count > 0) { int i = 0; do { EW_ADD_READ(block, read); } while (++i < count); }
+#define EW_ADD(block, read) block source = read(EW_PLACE(i)); EW_ADD_SOURCE(source); ++i;
 #endif
+#define EW_ADD_KIND(block, read, kind, count) EW_EACH(kind, count, EW_ADD(block, read))
 
 // The light of all sources along a segment: sum B_i color_i, and sum B_i as the fourth component. C defines EW_ADD_KINDS: one
 // EW_ADD_KIND for each kind that the shader knows.

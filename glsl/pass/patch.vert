@@ -30,5 +30,8 @@ void main()
     ew_patch = vec3(vec2(ew_grid.viewport.xy + place * width) + 0.5, 1.0 / float(width));
 #else
     ew_copy_varyings();
+#ifdef EW_LISTS
+    ew_tile = ew_find_tile(place * width);
+#endif
 #endif
 }

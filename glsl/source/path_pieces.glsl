@@ -15,6 +15,6 @@ float ew_path_weight(ew_path_block path, float t)
 #ifdef EW_JOINTS
 vec4 ew_piece_unit(ew_path_block path, float units, int i, int unit)
 {
-    return ew_source_data[int(path.pieces.x) + i * int(units) + unit];
+    return ew_source_unit(int(path.pieces.x) + i * int(units) + unit);
 }
 #endif

@@ -2,7 +2,7 @@
 
 ew_weight_block ew_weight_piece(int i)
 {
-    return ew_weight_block(ew_source_data[EW_WEIGHT_START + i]);
+    return ew_weight_block(ew_source_unit(EW_WEIGHT_START + i));
 }
 
 // S(t) of (15) at t = `place`, which is clamped to [0, 1], for a curve whose `count` > 0 pieces start at `first`. S is the

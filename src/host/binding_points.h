@@ -2,9 +2,11 @@
 #ifndef EW_BINDING_POINTS_H
 #define EW_BINDING_POINTS_H
 
-/* The units of textures and their samplers: the opaque depth, and the grid of adaptive resolution. */
+/* The units of textures and their samplers: the opaque depth, the sources, and the grid of adaptive resolution. */
 enum {
     EW_GL_DEPTH_TEXTURE_UNIT,
+    EW_GL_LIST_TEXTURE_UNIT,
+    EW_GL_SOURCE_TEXTURE_UNIT,
     EW_GL_NODE_TEXTURE_UNIT,
     EW_GL_FIELD_TEXTURE_UNIT,
     EW_GL_CELL_TEXTURE_UNIT,

@@ -28,6 +28,7 @@ void ew_device_destroy(ew_device *device)
     for (int pass = 0; pass < EW_PASS_COUNT; ++pass)
         ew_program_cache_destroy(&device->programs[pass], gl);
     ew_grid_destroy(&device->grid, gl);
+    ew_source_textures_destroy(&device->source_textures, gl);
     ew_depth_copy_destroy(&device->depth_copy, gl);
     gl->DeleteSamplers(1, &device->depth_sampler);
     gl->DeleteBuffers(1, &device->uniform_buffer);
@@ -48,20 +49,26 @@ void ew_device_abandon(ew_device *device, const ew_allocator *allocator)
 static void fill_uniform_buffer(const ew_device *device, const ew_plan *plan)
 {
     const ew_gl *gl = &device->gl;
-    size_t head = sizeof plan->uniforms;
-    size_t size = head + ew_gl_dialect(gl).capacity * sizeof(ew_vec4);
+    size_t head = sizeof plan->uniforms, capacity = ew_gl_dialect(gl).capacity * sizeof(ew_vec4);
+    size_t size = head + capacity;
     gl->BindBuffer(GL_UNIFORM_BUFFER, device->uniform_buffer);
     gl->BufferData(GL_UNIFORM_BUFFER, (GLsizeiptr)size, NULL, GL_STREAM_DRAW);
     gl->BufferSubData(GL_UNIFORM_BUFFER, 0, (GLsizeiptr)head, &plan->uniforms);
-    if (plan->source_data_size > 0)
+    if (plan->source_data_size > 0 && plan->source_data_size <= capacity)
         gl->BufferSubData(GL_UNIFORM_BUFFER, (GLintptr)head, (GLsizeiptr)plan->source_data_size, plan->source_data);
 }
 
-void ew_upload(const ew_device *device, const ew_plan *plan)
+ew_result ew_upload(const ew_device *device, const ew_plan *plan, ew_error *error)
 {
+    size_t units = plan->source_data_size / sizeof(ew_vec4), capacity = ew_gl_dialect(&device->gl).capacity;
+    if (units > capacity)
+        return ew_fail(error, EW_ERROR_TOO_MANY_SOURCES,
+                       "the sources take %zu units, but a uniform block of this context takes %zu: only ew_draw draws more",
+                       units, capacity);
     GLuint bound = ew_gl_uniform_buffer(&device->gl);
     fill_uniform_buffer(device, plan);
     device->gl.BindBuffer(GL_UNIFORM_BUFFER, bound);
+    return EW_OK;
 }
 
 /* ---- Drawing ---- */
@@ -203,6 +210,7 @@ static ew_result draw(ew_device *device, const plan_task *task, bool on_grid, un
     gl->BindSampler(EW_GL_DEPTH_TEXTURE_UNIT, device->depth_sampler);
     fill_uniform_buffer(device, task->plan);
     gl->BindBufferBase(GL_UNIFORM_BUFFER, EW_GL_UNIFORM_BINDING, device->uniform_buffer);
+    ew_source_textures_bind(&device->source_textures, gl, task->plan, key);
     /* Vertex arrays are not shared between contexts, and one without attributes costs nothing to make. */
     GLuint vertex_array;
     gl->GenVertexArrays(1, &vertex_array);
@@ -228,6 +236,7 @@ static ew_result draw_in_state(ew_device *device, const plan_task *task, ew_gl_s
 
     ew_depth_kind depth = ew_depth_input_kind(gl, &plan->depth);
     unsigned key = ew_permutation_with_depth(plan->permutation, depth);
+    if (plan->source_units > ew_gl_dialect(gl).capacity) key |= EW_PERMUTATION_SOURCE_TEXTURE;
     bool on_grid = plan->is_adaptive && gl->float_targets && !device->grid.is_refused;
     int steps_left = 0;
     ew_drawing drawing = {.gl = gl, .plan = plan, .is_ahead = task->steps_left != NULL};

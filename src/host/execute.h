@@ -6,6 +6,7 @@
 #include "host/gl.h"
 #include "host/grid.h"
 #include "host/program_cache.h"
+#include "host/source_textures.h"
 #include "plan/plan.h"
 
 /* The GL objects of an effect, and the context's functions. */
@@ -14,6 +15,7 @@ typedef struct ew_device {
     ew_program_cache programs[EW_PASS_COUNT];
     ew_depth_copy depth_copy;
     ew_grid grid;
+    ew_source_textures source_textures;
     GLuint depth_sampler; /* reads depth as it is, whatever the texture's own parameters say */
     GLuint uniform_buffer;
 } ew_device;
@@ -35,7 +37,8 @@ ew_result ew_execute(ew_device *device, const ew_plan *plan, const ew_allocator 
 ew_result ew_execute_ahead(ew_device *device, const ew_plan *plan, const ew_allocator *allocator, int *steps_left,
                            ew_error *error);
 
-/* Fills the uniform buffer as the plan says, and leaves all bindings as they were. */
-void ew_upload(const ew_device *device, const ew_plan *plan);
+/* Fills the uniform buffer as the plan says, and leaves all bindings as they were. Refuses sources that the block is too small
+ * for. */
+ew_result ew_upload(const ew_device *device, const ew_plan *plan, ew_error *error);
 
 #endif

@@ -75,6 +75,8 @@
     X(PFNGLSAMPLERPARAMETERIPROC, SamplerParameteri)                                                                           \
     X(PFNGLSCISSORPROC, Scissor)                                                                                               \
     X(PFNGLSHADERSOURCEPROC, ShaderSource)                                                                                     \
+    X(PFNGLPIXELSTOREIPROC, PixelStorei)                                                                                       \
+    X(PFNGLTEXSUBIMAGE2DPROC, TexSubImage2D)                                                                                   \
     X(PFNGLTEXIMAGE2DPROC, TexImage2D)                                                                                         \
     X(PFNGLTEXPARAMETERIPROC, TexParameteri)                                                                                   \
     X(PFNGLUNIFORM1IPROC, Uniform1i)                                                                                           \

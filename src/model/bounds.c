@@ -1,6 +1,7 @@
 /* What sources can light of a view: see bounds.h. */
 #include "model/bounds.h"
 
+#include "model/hull.h"
 #include "model/silhouette.h"
 
 #include <limits.h>
@@ -26,14 +27,9 @@ static ew_silhouette silhouette_of(const ew_lit_source *lit, const ew_view *view
 {
     if (lit->reach == 0) return (ew_silhouette){{-1, -1}, {1, 1}, *depths};
     ew_silhouette all = nothing, one;
-    if (!lit->pieces) {
-        const ew_hull hull = lit->kind->hull(lit->source);
-        return ew_find_silhouette(&hull, lit->reach, view, depths, &one) ? one : nothing;
-    }
-    const ew_chain_kind *chain = lit->kind->chain;
-    for (size_t i = 0; i < lit->pieces->piece_count; ++i) {
-        const ew_hull hull = chain->hull((const char *)lit->pieces->pieces + i * chain->piece_size);
-        if (ew_find_silhouette(&hull, lit->reach, view, depths, &one)) unite(&all, &one);
+    for (size_t i = 0; i < ew_count_hulls(lit); ++i) {
+        const ew_hull hull = ew_hull_of_source(lit, i), seen = ew_see_hull(&hull, view);
+        if (ew_find_silhouette(&seen, lit->reach, view, depths, &one)) unite(&all, &one);
     }
     return all;
 }

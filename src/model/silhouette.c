@@ -1,29 +1,9 @@
 /* Silhouettes: see silhouette.h. */
 #include "model/silhouette.h"
 
+#include "model/hull.h"
 #include "model/screen_axis.h"
 #include "model/vector.h"
-
-/* ---- A hull in view space ---- */
-
-/* The third coordinate is depth. */
-static ew_hull bring_to_view(const ew_hull *hull, const ew_view *view)
-{
-    ew_hull seen = {.corner_count = hull->corner_count};
-    for (size_t i = 0; i < hull->corner_count; ++i) {
-        ew_to_view(view, hull->corners[i], seen.corners[i]);
-        seen.corners[i][2] *= -1;
-    }
-    for (int row = 0; row < 3; ++row)
-        for (int column = 0; column < 3; ++column)
-            seen.direction[row] += (row == 2 ? -1 : 1) * ew_element(view->view, row, column) * hull->direction[column];
-    return seen;
-}
-
-static bool is_line(const ew_hull *hull)
-{
-    return ew_dot(hull->direction, hull->direction) > 0;
-}
 
 static bool find_depths(const ew_hull *seen, double radius, const ew_interval *depths, ew_interval *found)
 {
@@ -43,7 +23,7 @@ static void take_hull(ew_screen_axis *axis, const ew_hull *seen)
     double corners[EW_MAX_HULL_CORNERS][2], direction[2];
     for (size_t i = 0; i < seen->corner_count; ++i)
         ew_screen_axis_project(axis, seen->corners[i], false, corners[i]);
-    if (is_line(seen)) {
+    if (ew_hull_is_line(seen)) {
         ew_screen_axis_project(axis, seen->direction, true, direction);
         ew_screen_axis_take_line(axis, corners[0], direction);
         return;
@@ -173,21 +153,21 @@ static bool cut_silhouette(ew_silhouette *s, const border borders[2])
 
 /* ---- All of it ---- */
 
-bool ew_find_silhouette(const ew_hull *hull, double radius, const ew_view *view, const ew_interval *depths,
+bool ew_find_silhouette(const ew_hull *seen, double radius, const ew_view *view, const ew_interval *depths,
                         ew_silhouette *silhouette)
 {
-    const ew_hull seen = bring_to_view(hull, view);
-    if (!find_depths(&seen, radius, depths, &silhouette->depths)) return false;
+    if (!find_depths(seen, radius, depths, &silhouette->depths)) return false;
     for (int k = 0; k < 2; ++k) {
         ew_screen_axis axis = ew_make_screen_axis(view, k, radius, depths);
-        take_hull(&axis, &seen);
+        take_hull(&axis, seen);
         if (!(axis.low < 1 && axis.high > -1)) return false;
         silhouette->low[k] = fmax(axis.low, -1);
         silhouette->high[k] = fmin(axis.high, 1);
     }
-    if (!is_line(&seen)) return true;
+    if (!ew_hull_is_line(seen)) return true;
     border borders[2];
-    bool has_borders = ew_is_parallel(view) ? find_parallel_borders(view, seen.corners[0], seen.direction, radius, borders)
-                                            : find_perspective_borders(view, seen.corners[0], seen.direction, radius, borders);
+    bool has_borders = ew_is_parallel(view)
+                           ? find_parallel_borders(view, seen->corners[0], seen->direction, radius, borders)
+                           : find_perspective_borders(view, seen->corners[0], seen->direction, radius, borders);
     return !has_borders || cut_silhouette(silhouette, borders);
 }

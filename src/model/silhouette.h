@@ -11,10 +11,10 @@ typedef struct ew_silhouette {
     ew_interval depths;
 } ew_silhouette;
 
-/* Finds what is seen of all within `radius` of the hull and between `depths`, in the viewport, whose NDC run from -1 to 1. A
- * polygon's box is as small as can be on each axis alone; a line's, with regard to what the viewport cuts off. Returns false
- * if nothing is seen. */
-bool ew_find_silhouette(const ew_hull *hull, double radius, const ew_view *view, const ew_interval *depths,
+/* Finds what is seen of all within `radius` of a hull that ew_see_hull returned, and between `depths`, in the viewport, whose
+ * NDC run from -1 to 1. A polygon's box is as small as can be on each axis alone; a line's, with regard to what the viewport
+ * cuts off. Returns false if nothing is seen. */
+bool ew_find_silhouette(const ew_hull *seen, double radius, const ew_view *view, const ew_interval *depths,
                         ew_silhouette *silhouette);
 
 #endif

@@ -8,13 +8,13 @@
 
 #include <string.h>
 
-_Static_assert(EW_MAX_SOURCE_UNITS * sizeof(ew_vec4) + sizeof(struct ew_uniform_head) <= 65536,
-               "the uniform block is too large");
+/* The largest block that is used: all drivers of desktop GL have it. */
+enum { MAX_BLOCK_SIZE = 65536 };
 
 size_t ew_sources_capacity(size_t block_size)
 {
-    size_t units = (block_size - sizeof(struct ew_uniform_head)) / sizeof(ew_vec4);
-    return units < EW_MAX_SOURCE_UNITS ? units : EW_MAX_SOURCE_UNITS;
+    size_t size = block_size < MAX_BLOCK_SIZE ? block_size : MAX_BLOCK_SIZE;
+    return (size - sizeof(struct ew_uniform_head)) / sizeof(ew_vec4);
 }
 
 /* ---- The host's description ---- */
@@ -106,12 +106,12 @@ static ew_result check_list(const ew_sources_desc *desc, const ew_kind *kind, ew
 }
 
 /* Takes what `count` elements need from the units that are left. */
-static ew_result take_units(const char *elements, size_t count, size_t units, size_t *left, size_t capacity, ew_error *error)
+static ew_result take_units(const char *elements, size_t count, size_t units, size_t *left, ew_error *error)
 {
     if (count > *left / units)
         return ew_fail(error, EW_ERROR_TOO_MANY_SOURCES,
-                       "%zu %s of %zu units each are too many: this context takes %zu units of sources, of which %zu are left",
-                       count, elements, units, capacity, *left);
+                       "%zu %s of %zu units each are too many: an effect takes %d units of sources, of which %zu are left",
+                       count, elements, units, EW_MAX_SOURCE_UNITS, *left);
     *left -= count * units;
     return EW_OK;
 }
@@ -169,26 +169,26 @@ static ew_result check_sources_of(const ew_sources_desc *desc, const ew_kind *ki
 }
 
 /* Counts come first: no source is looked at before all of them are known to fit. */
-static ew_result check(const ew_sources_desc *desc, size_t capacity, piece_total *total, ew_error *error)
+static ew_result check(const ew_sources_desc *desc, piece_total *total, ew_error *error)
 {
     if (!desc) return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "sources must not be NULL");
     if (!is_positive_or_0(desc->epsilon)) return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "epsilon must be finite and >= 0");
     ew_result result = EW_OK;
-    size_t left = capacity;
+    size_t left = EW_MAX_SOURCE_UNITS;
     for (int k = 0; k < EW_KIND_COUNT && result == EW_OK; ++k)
         result = check_list(desc, ew_kinds[k], error);
     for (int k = 0; k < EW_KIND_COUNT && result == EW_OK; ++k)
-        result = take_units(ew_kinds[k]->list_name, count_in(desc, ew_kinds[k]), ew_kind_units(ew_kinds[k], false), &left,
-                            capacity, error);
+        result =
+            take_units(ew_kinds[k]->list_name, count_in(desc, ew_kinds[k]), ew_kind_units(ew_kinds[k], false), &left, error);
     for (int k = 0; k < EW_KIND_COUNT && result == EW_OK; ++k)
         result = check_sources_of(desc, ew_kinds[k], error);
     if (result != EW_OK) return result;
-    if (needs_glow(desc)) result = take_units("reaches or cores", count_all(desc), 1, &left, capacity, error);
+    if (needs_glow(desc)) result = take_units("reaches or cores", count_all(desc), 1, &left, error);
     if (result != EW_OK) return result;
     result = take_units("pieces of weights", count_weight_pieces(desc), sizeof(struct ew_weight_block) / sizeof(ew_vec4), &left,
-                        capacity, error);
+                        error);
     if (result == EW_OK) result = count_pieces(desc, total, error);
-    return result == EW_OK ? take_units("units of paths' pieces", total->units, 1, &left, capacity, error) : result;
+    return result == EW_OK ? take_units("units of paths' pieces", total->units, 1, &left, error) : result;
 }
 
 /* ---- Memory ---- */
@@ -282,11 +282,10 @@ static ew_result make_shapes(const ew_sources_desc *desc, ew_sources *sources, e
     return EW_OK;
 }
 
-ew_result ew_sources_set(ew_sources *sources, const ew_sources_desc *desc, size_t capacity, const ew_allocator *allocator,
-                         ew_error *error)
+ew_result ew_sources_set(ew_sources *sources, const ew_sources_desc *desc, const ew_allocator *allocator, ew_error *error)
 {
     piece_total total;
-    ew_result result = check(desc, capacity, &total, error);
+    ew_result result = check(desc, &total, error);
     if (result != EW_OK) return result;
     ew_sources made = {.memory = sources->memory, .memory_size = sources->memory_size, .epsilon = desc->epsilon};
     size_t size = lay_out(desc, &total, NULL, &made);
@@ -310,6 +309,17 @@ void ew_sources_destroy(ew_sources *sources, const ew_allocator *allocator)
 }
 
 /* ---- What a frame asks ---- */
+
+size_t ew_count_hulls(const ew_lit_source *lit)
+{
+    return lit->pieces ? lit->pieces->piece_count : 1;
+}
+
+ew_hull ew_hull_of_source(const ew_lit_source *lit, size_t index)
+{
+    const ew_chain_kind *chain = lit->kind->chain;
+    return chain ? chain->hull((const char *)lit->pieces->pieces + index * chain->piece_size) : lit->kind->hull(lit->source);
+}
 
 ew_mix ew_sources_mix(const ew_sources *sources)
 {

@@ -18,6 +18,10 @@ typedef struct ew_lit_source {
     double reach;                 /* 0: without end */
 } ew_lit_source;
 
+/* Its light is within reach of one of its hulls. */
+size_t ew_count_hulls(const ew_lit_source *lit);
+ew_hull ew_hull_of_source(const ew_lit_source *lit, size_t index);
+
 /* Starts as {0}. All arrays lie in one allocation; the blocks of all kinds, the weight pieces and the pieces of paths lie
  * one after the other, as in the uniform block. */
 typedef struct ew_sources {
@@ -40,13 +44,12 @@ typedef struct ew_sources {
     size_t weight_units; /* where they begin, in units */
 } ew_sources;
 
-/* How many units (vec4) of sources a uniform block of `block_size` bytes holds. */
+/* How many units (vec4) of sources a uniform block of `block_size` bytes holds, up to 64 KiB. */
 size_t ew_sources_capacity(size_t block_size);
 
 /* Replaces what `sources` holds by a copy of `desc`, in the same memory if it is large enough. On failure `sources` is left
  * alone. */
-ew_result ew_sources_set(ew_sources *sources, const ew_sources_desc *desc, size_t capacity, const ew_allocator *allocator,
-                         ew_error *error);
+ew_result ew_sources_set(ew_sources *sources, const ew_sources_desc *desc, const ew_allocator *allocator, ew_error *error);
 
 void ew_sources_destroy(ew_sources *sources, const ew_allocator *allocator);
 

@@ -81,6 +81,15 @@ unsigned ew_permutation_with_depth(unsigned key, ew_depth_kind depth)
     return key | flags[depth];
 }
 
+unsigned ew_permutation_with_lists(unsigned key)
+{
+    if (!(key & EW_PERMUTATION_REACH)) return key;
+    unsigned general = (key & ((1u << EW_PERMUTATION_FLAG_COUNT) - 1)) | EW_PERMUTATION_LISTS;
+    for (int kind = 0; kind < EW_KIND_COUNT; ++kind)
+        general = ew_permutation_with_count(general, kind, ew_permutation_count(key, kind) > 0 ? EW_ANY_COUNT : 0);
+    return general;
+}
+
 bool ew_permutation_covers(unsigned key, unsigned other)
 {
     /* What a shader may know without harm to sources that do not need it. Reaches are not among that: blocks are longer with

@@ -23,7 +23,9 @@ enum {
     EW_PERMUTATION_SOFT = 1 << 12,
     EW_PERMUTATION_JOINTS = 1 << 13,
     EW_PERMUTATION_BENDS = 1 << 14, /* with EW_PERMUTATION_JOINTS */
-    EW_PERMUTATION_FLAG_COUNT = 15,
+    EW_PERMUTATION_LISTS = 1 << 15, /* with EW_PERMUTATION_REACH and no exact counts */
+    EW_PERMUTATION_SOURCE_TEXTURE = 1 << 16,
+    EW_PERMUTATION_FLAG_COUNT = 17,
 };
 
 /* Above the flags stand the counts of sources by kind, each in a field of EW_PERMUTATION_COUNT_BITS: a count up to
@@ -41,6 +43,9 @@ double ew_mix_cost(const ew_mix *mix);
 
 /* The key with that depth. */
 unsigned ew_permutation_with_depth(unsigned key, ew_depth_kind depth);
+
+/* The key with lists by tile, if it knows reaches; then any count of a kind that it knows will do. */
+unsigned ew_permutation_with_lists(unsigned key);
 
 /* The key with that many sources of a kind, none before. */
 unsigned ew_permutation_with_count(unsigned key, int kind, size_t count);

@@ -106,6 +106,7 @@ static ew_result pack(ew_plan *plan, ew_sources *sources, const ew_frame_desc *f
         plan->uniforms.source_counts[kind] = (int)sources->counts[kind];
     plan->source_data = sources->data;
     plan->source_data_size = sources->data_size;
+    plan->depths = space->interval;
     return EW_OK;
 }
 
@@ -159,12 +160,26 @@ ew_result ew_plan_frame(ew_plan *plan, ew_sources *sources, const ew_mix *mix, c
     pack_viewport(plan, frame, &space);
     pack_target_steps(frame->encoding, &plan->uniforms.frame);
     plan->permutation = ew_permutation_of(mix ? mix : &current, frame);
+    plan->source_units = mix ? (mix->has_many ? EW_MAX_SOURCE_UNITS : 0) : sources->data_size / sizeof(ew_vec4);
     plan->target = (ew_target){frame->framebuffer, viewport, blend_of(frame->output), frame->encoding == EW_ENCODING_SRGB_8BIT,
                                frame->keep_stencil_test};
     plan->depth = (ew_depth_request){frame->depth_source, frame->depth_texture};
     plan->is_adaptive = is_adaptive(frame, mix ? mix : &current);
     plan->skips_restore = frame->skip_restore;
     return EW_OK;
+}
+
+ew_result ew_plan_lists(ew_plan *plan, ew_tile_lists *lists, const ew_sources *sources, const ew_frame_desc *frame,
+                        const ew_allocator *allocator, ew_error *error)
+{
+    const ew_view view = ew_view_of(frame);
+    /* The published method is a baseline, and looks at every source. */
+    if (frame->integrator == EW_INTEGRATOR_SIMPSON || !(plan->permutation & EW_PERMUTATION_REACH)) return EW_OK;
+    plan->permutation = ew_permutation_with_lists(plan->permutation);
+    plan->lists = lists;
+    ew_result result = ew_make_tile_lists(lists, sources, &view, &plan->depths, &plan->target.viewport, allocator, error);
+    plan->uniforms.grid.tiles = (ew_ivec4){lists->columns, lists->size_log2, 0, 0};
+    return result;
 }
 
 ew_result ew_plan_bounds(const ew_sources *sources, const ew_frame_desc *frame, ew_bounds *bounds, ew_error *error)

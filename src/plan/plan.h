@@ -7,6 +7,7 @@
 #include "model/rays.h"
 #include "model/sources.h"
 #include "plan/permutation.h"
+#include "plan/tile_lists.h"
 
 /* What becomes of the shader's colour and the target's: see ew_output. */
 typedef enum ew_blend {
@@ -36,6 +37,9 @@ typedef struct ew_plan {
     struct ew_uniform_head uniforms;
     const void *source_data; /* behind the uniforms' head; the sources' own */
     size_t source_data_size;
+    size_t source_units;        /* that the shader must take */
+    const ew_tile_lists *lists; /* NULL for a shader that has none */
+    ew_interval depths;         /* between which the sources are seen */
     ew_target target;
     ew_depth_request depth;
     bool is_adaptive; /* in resolution */
@@ -48,6 +52,11 @@ ew_result ew_plan_uniforms(ew_plan *plan, ew_sources *sources, const ew_frame_de
 /* Plans the drawing of `sources` as `frame` says, with the shader for `mix`; NULL: for the sources. The plan is valid until the
  * sources change or are planned again. */
 ew_result ew_plan_frame(ew_plan *plan, ew_sources *sources, const ew_mix *mix, const ew_frame_desc *frame, ew_error *error);
+
+/* Completes a plan of ew_plan_frame by lists of the sources by tile, if they have reaches. The plan is valid until the lists
+ * are made again. */
+ew_result ew_plan_lists(ew_plan *plan, ew_tile_lists *lists, const ew_sources *sources, const ew_frame_desc *frame,
+                        const ew_allocator *allocator, ew_error *error);
 
 /* Says what the sources can light of a frame: see ew_get_bounds. */
 ew_result ew_plan_bounds(const ew_sources *sources, const ew_frame_desc *frame, ew_bounds *bounds, ew_error *error);

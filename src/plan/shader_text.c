@@ -84,9 +84,9 @@ static size_t source_varyings(const ew_dialect *dialect, unsigned key)
 static void add_defines(ew_shader_text *text, const ew_dialect *dialect, unsigned key)
 {
     static const char *const flags[EW_PERMUTATION_FLAG_COUNT] = {
-        "WEIGHTS",           "DEPTH",     "SIMPSON",     "LUMINANCE", "EVALUATIONS",
-        "DEPTH_MULTISAMPLE", "DITHER",    "DITHER_SRGB", "WORLD",     "REACH",
-        "CORE_PIXELS",       "SHARPNESS", "SOFT",        "JOINTS",    "BENDS"};
+        "WEIGHTS", "DEPTH",       "SIMPSON", "LUMINANCE", "EVALUATIONS",   "DEPTH_MULTISAMPLE",
+        "DITHER",  "DITHER_SRGB", "WORLD",   "REACH",     "CORE_PIXELS",   "SHARPNESS",
+        "SOFT",    "JOINTS",      "BENDS",   "LISTS",     "SOURCE_TEXTURE"};
     add_made(text, "#define EW_SOURCE_DATA_SIZE %zu\n", dialect->capacity);
     for (int i = 0; i < EW_PERMUTATION_FLAG_COUNT; ++i)
         if (key & 1u << i) add_made(text, "#define EW_%s\n", flags[i]);
@@ -146,8 +146,8 @@ static void add_readers(ew_shader_text *text, unsigned key)
     add_made(text, ")\n#define EW_ADD_KINDS");
     for (int kind = 0; kind < EW_KIND_COUNT; ++kind)
         if (ew_permutation_count(key, kind) > 0)
-            add_made(text, " EW_ADD_KIND(ew_%s_block, ew_%s, EW_%s_COUNT)", ew_kinds[kind]->name, ew_kinds[kind]->name,
-                     ew_kinds[kind]->upper_name);
+            add_made(text, " EW_ADD_KIND(ew_%s_block, ew_%s, %d, EW_%s_COUNT)", ew_kinds[kind]->name, ew_kinds[kind]->name,
+                     kind, ew_kinds[kind]->upper_name);
     add_made(text, "\n");
 }
 
@@ -213,6 +213,7 @@ static void add_light(ew_shader_text *text, unsigned key, const ew_integrator_te
     for (int i = 0; integrator->before[i]; ++i)
         add_file(text, integrator->before[i]);
     add_kinds(text, key, integrator);
+    if (key & EW_PERMUTATION_LISTS) add_file(text, ew_glsl_list_glsl);
     add_file(text, ew_glsl_light_glsl);
 }
 
@@ -258,6 +259,7 @@ static void start_stage(ew_shader_text *text, const ew_dialect *dialect, ew_pass
     start(text, true);
     add_version(text, dialect, key);
     add_defines(text, dialect, key);
+    if (draws_patches(pass)) add(text, "#define EW_PATCHES\n");
     if (integrates(pass)) add_software_defines(text, dialect, key);
 }
 
@@ -269,6 +271,7 @@ void ew_write_vertex_shader(ew_shader_text *text, const ew_dialect *dialect, ew_
     add_file(text, ew_glsl_layout_glsl);
     add_file(text, ew_glsl_blocks_glsl);
     if (draws_patches(pass)) add_file(text, ew_glsl_grid_glsl);
+    if (pass == EW_PASS_CELLS && key & EW_PERMUTATION_LISTS) add_file(text, ew_glsl_list_glsl);
     if (pass == EW_PASS_INTERPOLATION) {
         add_file(text, ew_glsl_patch_glsl);
         add_file(text, ew_glsl_fit_glsl);

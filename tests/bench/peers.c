@@ -91,8 +91,7 @@ bench_peers *peers_create(gl_context *context, const ew_sources_desc *sources, c
     made->frame = *frame;
     made->device.gl.software = false; /* the peers read the uniform block as it is */
     made->device.gl.GenVertexArrays(1, &made->vertex_array);
-    size_t capacity = ew_gl_dialect(&made->device.gl).capacity;
-    result = ew_sources_set(&made->sources, sources, capacity, &ew_default_allocator, &error);
+    result = ew_sources_set(&made->sources, sources, &ew_default_allocator, &error);
     if (result == EW_OK) result = ew_plan_frame(&made->plan, &made->sources, NULL, frame, &error);
     if (result == EW_OK) return made;
     message_write(message, size, "%s", error.text);
@@ -126,7 +125,11 @@ bool peers_draw(bench_peers *peers, const bench_integrator *integrator, ew_outpu
     gl->ActiveTexture(GL_TEXTURE0 + EW_GL_DEPTH_TEXTURE_UNIT);
     gl->BindTexture(GL_TEXTURE_2D, frame->depth_texture);
     peers->plan.uniforms.frame.simpson.x = integrator->samples;
-    ew_upload(&peers->device, &peers->plan);
+    ew_error error;
+    if (ew_upload(&peers->device, &peers->plan, &error) != EW_OK) {
+        message_write(message, size, "%s", error.text);
+        return false;
+    }
     gl->BindBufferBase(GL_UNIFORM_BUFFER, EW_GL_UNIFORM_BINDING, peers->device.uniform_buffer);
     gl->UseProgram(program);
     gl->BindVertexArray(peers->vertex_array);

@@ -90,10 +90,9 @@ static const double float_error = 2e-7;
 
 static ew_sources pack(const ew_sources_desc *desc, const ew_frame_desc *frame, ew_plan *plan)
 {
-    size_t capacity = ew_sources_capacity(65536);
     ew_sources sources = {0};
     ew_error error = {EW_OK, ""};
-    if (ew_sources_set(&sources, desc, capacity, &ew_default_allocator, &error) != EW_OK ||
+    if (ew_sources_set(&sources, desc, &ew_default_allocator, &error) != EW_OK ||
         ew_plan_frame(plan, &sources, NULL, frame, &error) != EW_OK)
         fail_msg("refused: %s", error.text);
     return sources;
@@ -434,11 +433,10 @@ static void sources_beyond_what_the_shader_resolves_are_refused(void **state)
         {{.points = &thin, .point_count = 1}, "points[0]"},
     };
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; ++i) {
-        size_t capacity = ew_sources_capacity(65536);
         ew_sources sources = {0};
         ew_error error = {EW_OK, ""};
         ew_plan plan;
-        assert_int_equal(ew_sources_set(&sources, &cases[i].desc, capacity, &ew_default_allocator, NULL), EW_OK);
+        assert_int_equal(ew_sources_set(&sources, &cases[i].desc, &ew_default_allocator, NULL), EW_OK);
         check_refused(ew_plan_frame(&plan, &sources, NULL, &frame, &error), &error, EW_ERROR_INVALID_ARGUMENT, cases[i].name);
         ew_sources_destroy(&sources, &ew_default_allocator);
     }
@@ -474,8 +472,7 @@ static void a_source_without_a_reach_is_refused_by_name_in_a_world_frame(void **
         ew_plan plan;
         for (int has_reach = 0; has_reach < 2; ++has_reach) {
             *cases[i].reach = has_reach;
-            assert_int_equal(ew_sources_set(&sources, &cases[i].desc, ew_sources_capacity(65536), &ew_default_allocator, NULL),
-                             EW_OK);
+            assert_int_equal(ew_sources_set(&sources, &cases[i].desc, &ew_default_allocator, NULL), EW_OK);
             ew_result result = ew_plan_frame(&plan, &sources, NULL, &frame, &error);
             if (has_reach)
                 assert_int_equal(result, EW_OK);

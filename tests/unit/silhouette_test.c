@@ -13,7 +13,7 @@ static ew_bounds bounds_of(const ew_sources_desc *desc, const ew_frame_desc *fra
     ew_sources sources = {0};
     ew_bounds bounds = {0};
     ew_error error = {EW_OK, ""};
-    if (ew_sources_set(&sources, desc, EW_MAX_SOURCE_UNITS, &ew_default_allocator, &error) != EW_OK ||
+    if (ew_sources_set(&sources, desc, &ew_default_allocator, &error) != EW_OK ||
         ew_plan_bounds(&sources, frame, &bounds, &error) != EW_OK)
         fail_msg("%s", error.text);
     ew_sources_destroy(&sources, &ew_default_allocator);
@@ -288,7 +288,7 @@ static void a_world_frame_needs_reaches(void **state)
     ew_bounds bounds = {.x = -7};
     ew_error of_bounds, of_draw;
     const ew_sources_desc desc = {.points = orbs, .point_count = 3, .lines = &line, .line_count = 1};
-    assert_int_equal(ew_sources_set(&sources, &desc, EW_MAX_SOURCE_UNITS, &ew_default_allocator, NULL), EW_OK);
+    assert_int_equal(ew_sources_set(&sources, &desc, &ew_default_allocator, NULL), EW_OK);
     check_refused(ew_plan_frame(&plan, &sources, NULL, &frame, &of_draw), &of_draw, EW_ERROR_INVALID_ARGUMENT,
                   "points[2].reach");
     assert_int_equal(ew_plan_bounds(&sources, &frame, &bounds, &of_bounds), EW_ERROR_INVALID_ARGUMENT);

@@ -59,12 +59,9 @@ static void make_field(field *f)
                                 .epsilon = 1e-3};
 }
 
-static const size_t gl_largest_block = 65536;
-
 static ew_result create(const ew_sources_desc *sources, ew_sources *taken, ew_error *error)
 {
-    size_t capacity = ew_sources_capacity(gl_largest_block);
-    return ew_sources_set(taken, sources, capacity, &ew_default_allocator, error);
+    return ew_sources_set(taken, sources, &ew_default_allocator, error);
 }
 
 /* Expects `desc` to be refused, with an ew_error and without, and the sources that were there before to be as they were. */
@@ -229,8 +226,18 @@ static void lists_and_counts_that_disagree_are_refused(void **state)
     expect_refused(&f.desc, EW_ERROR_INVALID_ARGUMENT, "curves[1].weight_count");
 }
 
-/* A list with one source too many is refused for its length alone: only that many are there to be read. */
-static void more_sources_than_the_context_holds_are_refused(void **state)
+/* Adds points to a field of two, so that `units` of an effect's are left for the field itself. */
+static void leave_units(field *f, ew_point *points, size_t units, size_t units_of_point)
+{
+    size_t count = (EW_MAX_SOURCE_UNITS - units) / units_of_point;
+    assert_int_equal(EW_MAX_SOURCE_UNITS - count * units_of_point, units);
+    for (size_t i = 0; i < count + 2; ++i)
+        points[i] = f->points[i % 2];
+    f->desc.points = points;
+    f->desc.point_count = count + 2;
+}
+
+static void more_sources_than_an_effect_holds_are_refused(void **state)
 {
     (void)state;
     field f;
@@ -239,30 +246,38 @@ static void more_sources_than_the_context_holds_are_refused(void **state)
      * 2 paths have 3 straight pieces of 2 units each: 58 together. */
     ew_error error = {EW_OK, ""};
     ew_sources taken = {0};
+    ew_point *points = calloc(EW_MAX_POINTS + 2, sizeof *points);
+    assert_non_null(points);
     static const struct {
-        size_t capacity;
+        size_t units;
         const char *refused;
-    } cases[] = {{3, "2 points"},
-                 {9, "2 lines"},
-                 {15, "2 tori"},
-                 {27, "2 curves"},
-                 {37, "2 paths"},
-                 {45, "8 pieces of weights"},
-                 {57, "12 units of paths' pieces"}};
-    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; ++i)
-        check_refused(ew_sources_set(&taken, &f.desc, cases[i].capacity, &ew_default_allocator, &error), &error,
-                      EW_ERROR_TOO_MANY_SOURCES, cases[i].refused);
-    assert_int_equal(ew_sources_set(&taken, &f.desc, 58, &ew_default_allocator, &error), EW_OK);
-    assert_int_equal(taken.data_size, 58 * sizeof(ew_vec4));
-    ew_sources_destroy(&taken, &ew_default_allocator);
+    } cases[] = {{2, "points"},
+                 {8, "2 lines"},
+                 {14, "2 tori"},
+                 {26, "2 curves"},
+                 {36, "2 paths"},
+                 {44, "8 pieces of weights"},
+                 {56, "12 units of paths' pieces"}};
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; ++i) {
+        leave_units(&f, points, cases[i].units, 2);
+        check_refused(ew_sources_set(&taken, &f.desc, &ew_default_allocator, &error), &error, EW_ERROR_TOO_MANY_SOURCES,
+                      cases[i].refused);
+    }
+    leave_units(&f, points, 58, 2);
+    assert_int_equal(ew_sources_set(&taken, &f.desc, &ew_default_allocator, &error), EW_OK);
+    assert_int_equal(taken.data_size, EW_MAX_SOURCE_UNITS * sizeof(ew_vec4));
 
     /* A core of one source's own makes the blocks of all one unit longer. */
+    make_field(&f);
     f.lines[0].core = 0.5;
-    check_refused(ew_sources_set(&taken, &f.desc, 67, &ew_default_allocator, &error), &error, EW_ERROR_TOO_MANY_SOURCES,
+    leave_units(&f, points, 67, 3);
+    check_refused(ew_sources_set(&taken, &f.desc, &ew_default_allocator, &error), &error, EW_ERROR_TOO_MANY_SOURCES,
                   "units of paths' pieces");
-    assert_int_equal(ew_sources_set(&taken, &f.desc, 68, &ew_default_allocator, &error), EW_OK);
-    assert_int_equal(taken.data_size, 68 * sizeof(ew_vec4));
+    leave_units(&f, points, 70, 3);
+    assert_int_equal(ew_sources_set(&taken, &f.desc, &ew_default_allocator, &error), EW_OK);
+    assert_int_equal(taken.data_size, (EW_MAX_SOURCE_UNITS - 2) * sizeof(ew_vec4));
     ew_sources_destroy(&taken, &ew_default_allocator);
+    free(points);
 
     make_field(&f);
     f.desc.point_count = SIZE_MAX;
@@ -272,16 +287,15 @@ static void more_sources_than_the_context_holds_are_refused(void **state)
     expect_refused(&f.desc, EW_ERROR_TOO_MANY_SOURCES, "paths");
 }
 
-static void uniform_blocks_bound_the_number_of_sources(void **state)
+static void uniform_blocks_are_used_up_to_64_kib(void **state)
 {
     (void)state;
-    /* The header promises as much; a larger block changes nothing. */
-    assert_int_equal(ew_sources_capacity(65536), EW_MAX_SOURCE_UNITS);
-    assert_int_equal(ew_sources_capacity(1u << 30), EW_MAX_SOURCE_UNITS);
-    /* The least that GL promises is a quarter of 64 KiB, and the frame's part does not shrink. */
-    size_t least = ew_sources_capacity(16384);
-    assert_true(sizeof(struct ew_uniform_head) + least * sizeof(ew_vec4) <= 16384);
-    assert_in_range(least, EW_MAX_SOURCE_UNITS / 4 - 32, EW_MAX_SOURCE_UNITS / 4 + 8);
+    const size_t sizes[] = {16384, 65536};
+    for (size_t i = 0; i < 2; ++i) {
+        size_t units = ew_sources_capacity(sizes[i]);
+        assert_in_range(sizeof(struct ew_uniform_head) + units * sizeof(ew_vec4), sizes[i] - sizeof(ew_vec4) + 1, sizes[i]);
+    }
+    assert_int_equal(ew_sources_capacity(1u << 30), ew_sources_capacity(65536));
 }
 
 /* ---- What every kind may have ---- */
@@ -492,8 +506,8 @@ int main(void)
         cmocka_unit_test(directions_of_no_length_are_refused),
         cmocka_unit_test(domains_of_no_length_are_refused),
         cmocka_unit_test(lists_and_counts_that_disagree_are_refused),
-        cmocka_unit_test(more_sources_than_the_context_holds_are_refused),
-        cmocka_unit_test(uniform_blocks_bound_the_number_of_sources),
+        cmocka_unit_test(more_sources_than_an_effect_holds_are_refused),
+        cmocka_unit_test(uniform_blocks_are_used_up_to_64_kib),
         cmocka_unit_test(bad_cores_reaches_and_brightness_are_refused_by_name_in_every_kind),
         cmocka_unit_test(good_cores_reaches_and_brightness_are_taken_in_every_kind),
         cmocka_unit_test(a_source_without_any_core_is_refused_by_name),

@@ -45,9 +45,8 @@ static ew_sources make_sources(ew_curve *curves, size_t count)
         curves[i].coefficient = 1;
     }
     ew_sources_desc desc = {.curves = curves, .curve_count = count, .epsilon = 1};
-    size_t capacity = ew_sources_capacity(65536);
     ew_sources sources = {0};
-    assert_int_equal(ew_sources_set(&sources, &desc, capacity, &ew_default_allocator, NULL), EW_OK);
+    assert_int_equal(ew_sources_set(&sources, &desc, &ew_default_allocator, NULL), EW_OK);
     return sources;
 }
 

@@ -1,0 +1,254 @@
+/* Lists of sources by tile: see tile_lists.h. */
+#include "plan/tile_lists.h"
+
+#include "base/error.h"
+#include "model/cone.h"
+#include "model/hull.h"
+#include "model/silhouette.h"
+
+#include <string.h>
+
+/* How far tiles go on beyond the viewport on the left and below, in pixels; and from there to the last node beyond it on the
+ * right or above, of the viewport's blocks. */
+enum { MARGIN = EW_NODE_MARGIN * EW_CELL_SIZE, BLOCK = EW_BLOCK_CELLS * EW_CELL_SIZE };
+
+/* A tile that is wider than any viewport. */
+enum { ONE_TILE_LOG2 = 20 };
+
+static int blocks_in(int pixels)
+{
+    return (pixels + BLOCK - 1) / BLOCK;
+}
+
+static int tiles_over(int pixels, int size_log2)
+{
+    return ((blocks_in(pixels) * BLOCK + 2 * MARGIN) >> size_log2) + 1;
+}
+
+/* ---- Memory ---- */
+
+/* Returns room for `count` elements in place of `memory`, whose first `used` are kept; NULL if there is none. */
+static void *grow(void *memory, size_t *capacity, size_t used, size_t count, size_t size, const ew_allocator *allocator)
+{
+    if (count <= *capacity) return memory;
+    size_t wanted = count > 2 * *capacity ? count : 2 * *capacity;
+    void *grown = allocator->allocate(allocator->user, wanted * size);
+    if (!grown) return NULL;
+    if (used > 0) memcpy(grown, memory, used * size);
+    if (memory) allocator->deallocate(allocator->user, memory);
+    *capacity = wanted;
+    return grown;
+}
+
+static bool reserve_pairs(ew_tile_lists *lists, size_t count, const ew_allocator *allocator)
+{
+    void *pairs = grow(lists->pairs, &lists->pair_capacity, lists->pair_count, count, sizeof *lists->pairs, allocator);
+    if (pairs) lists->pairs = pairs;
+    return pairs;
+}
+
+static bool reserve_entries(ew_tile_lists *lists, size_t count, const ew_allocator *allocator)
+{
+    void *entries = grow(lists->entries, &lists->entry_capacity, 0, count, sizeof *lists->entries, allocator);
+    if (entries) lists->entries = entries;
+    return entries;
+}
+
+static bool reserve_last_sources(ew_tile_lists *lists, size_t count, const ew_allocator *allocator)
+{
+    void *last = grow(lists->last_sources, &lists->last_source_capacity, 0, count, sizeof *lists->last_sources, allocator);
+    if (last) lists->last_sources = last;
+    return last;
+}
+
+void ew_destroy_tile_lists(ew_tile_lists *lists, const ew_allocator *allocator)
+{
+    void *const memory[] = {lists->entries, lists->pairs, lists->last_sources};
+    for (size_t i = 0; i < sizeof memory / sizeof memory[0]; ++i)
+        if (memory[i]) allocator->deallocate(allocator->user, memory[i]);
+    *lists = (ew_tile_lists){0};
+}
+
+/* ---- Pairs ---- */
+
+/* A source that looks for its tiles. */
+typedef struct search {
+    ew_tile_lists *lists;
+    const ew_allocator *allocator;
+    ew_ray_field rays;
+    const ew_view *view;
+    const ew_interval *depths;
+    const ew_lit_source *lit;
+    uint32_t number; /* of the source, from 1 on */
+    int kind;
+    bool is_over; /* no memory, or too many entries */
+} search;
+
+/* Columns and rows of tiles, the last ones not among them. */
+typedef struct tile_box {
+    int first[2], end[2];
+} tile_box;
+
+static size_t row_count(const ew_tile_lists *lists)
+{
+    return (size_t)lists->columns * (size_t)lists->rows * EW_KIND_COUNT;
+}
+
+/* Adds a tile, once a source: several pieces of a chain may find it. */
+static void add(search *s, const int tile[2])
+{
+    ew_tile_lists *lists = s->lists;
+    const uint32_t row = (uint32_t)((tile[1] * lists->columns + tile[0]) * EW_KIND_COUNT + s->kind);
+    if (lists->last_sources[row] == s->number) return;
+    lists->last_sources[row] = s->number;
+    s->is_over = s->is_over || row_count(lists) + 1 + lists->pair_count == EW_MAX_LIST_ENTRIES ||
+                 !reserve_pairs(lists, lists->pair_count + 1, s->allocator);
+    if (!s->is_over) lists->pairs[lists->pair_count++] = (struct ew_tile_pair){row, (uint32_t)s->lit->index};
+}
+
+static ew_cone cone_of(const search *s, const tile_box *box)
+{
+    const int counts[2] = {s->lists->columns, s->lists->rows};
+    double low[2], high[2];
+    for (int axis = 0; axis < 2; ++axis) {
+        low[axis] = 2.0 * box->first[axis] / counts[axis] - 1;
+        high[axis] = 2.0 * box->end[axis] / counts[axis] - 1;
+    }
+    return ew_cone_of(&s->rays, low, high);
+}
+
+/* Adds the tiles of a box that may be lit by what is around a hull. */
+static void add_box(search *s, const ew_hull *seen, const tile_box *box)
+{
+    const ew_cone cone = cone_of(s, box);
+    if (s->is_over || !ew_cone_meets(&cone, seen, s->lit->reach)) return;
+    const int width = box->end[0] - box->first[0], height = box->end[1] - box->first[1], axis = height > width;
+    if (width * height == 1) {
+        add(s, box->first);
+        return;
+    }
+    tile_box half = *box;
+    half.end[axis] = box->first[axis] + (axis == 0 ? width : height) / 2;
+    add_box(s, seen, &half);
+    half.first[axis] = half.end[axis];
+    half.end[axis] = box->end[axis];
+    add_box(s, seen, &half);
+}
+
+/* The tiles from NDC `low` to `high`. */
+static void find_tiles(double low, double high, int count, int *first, int *end)
+{
+    *first = (int)fmax(floor((low * 0.5 + 0.5) * count), 0);
+    *end = (int)fmin(floor((high * 0.5 + 0.5) * count) + 1, count);
+}
+
+static void add_hull(search *s, const ew_hull *hull)
+{
+    const ew_hull seen = ew_see_hull(hull, s->view);
+    ew_silhouette silhouette;
+    tile_box box;
+    if (!ew_find_silhouette(&seen, s->lit->reach, s->view, s->depths, &silhouette)) return;
+    find_tiles(silhouette.low[0], silhouette.high[0], s->lists->columns, &box.first[0], &box.end[0]);
+    find_tiles(silhouette.low[1], silhouette.high[1], s->lists->rows, &box.first[1], &box.end[1]);
+    if (box.first[0] < box.end[0] && box.first[1] < box.end[1]) add_box(s, &seen, &box);
+}
+
+static void add_all(search *s)
+{
+    for (int row = 0; row < s->lists->rows; ++row)
+        for (int column = 0; column < s->lists->columns; ++column)
+            add(s, (const int[2]){column, row});
+}
+
+static void add_source(search *s)
+{
+    const size_t hulls = s->lit->reach > 0 ? ew_count_hulls(s->lit) : 0;
+    for (size_t i = 0; i < hulls && !s->is_over; ++i) {
+        const ew_hull hull = ew_hull_of_source(s->lit, i);
+        add_hull(s, &hull);
+    }
+    if (s->lit->reach == 0) add_all(s);
+}
+
+/* Finds all pairs. Returns false if there is no memory, or if there are too many: then EW_MAX_LIST_ENTRIES are taken. */
+static bool find_pairs(search *s, const ew_sources *sources)
+{
+    ew_tile_lists *lists = s->lists;
+    lists->pair_count = 0;
+    if (!reserve_last_sources(lists, row_count(lists), s->allocator)) return false;
+    memset(lists->last_sources, 0, row_count(lists) * sizeof *lists->last_sources);
+    s->number = 0;
+    s->is_over = false;
+    for (s->kind = 0; s->kind < EW_KIND_COUNT; ++s->kind)
+        for (size_t i = 0; i < sources->counts[s->kind] && !s->is_over; ++i) {
+            s->lit = &sources->lit[s->number++];
+            add_source(s);
+        }
+    return !s->is_over;
+}
+
+/* ---- Entries ---- */
+
+/* Sorts the pairs by row. Within a row they stay in order. */
+static bool fill_entries(ew_tile_lists *lists, const ew_allocator *allocator)
+{
+    const size_t rows = row_count(lists);
+    lists->entry_count = rows + 1 + lists->pair_count;
+    if (!reserve_entries(lists, lists->entry_count, allocator)) return false;
+    uint32_t *ends = lists->entries + 1, at = (uint32_t)rows + 1;
+    memset(lists->entries, 0, (rows + 1) * sizeof *lists->entries);
+    for (size_t i = 0; i < lists->pair_count; ++i)
+        ends[lists->pairs[i].row]++;
+    /* Each row's end starts where its list does, and moves on as the list is filled. */
+    lists->entries[0] = at;
+    for (size_t row = 0; row < rows; ++row) {
+        uint32_t count = ends[row];
+        ends[row] = at;
+        at += count;
+    }
+    for (size_t i = 0; i < lists->pair_count; ++i)
+        lists->entries[ends[lists->pairs[i].row]++] = lists->pairs[i].place;
+    return true;
+}
+
+/* ---- All of it ---- */
+
+/* The view whose NDC run from -1 to 1 over all tiles. */
+static void see_tiles(const ew_view *view, const ew_viewport *viewport, const ew_tile_lists *lists, double projection[16])
+{
+    const int sizes[2] = {viewport->width, viewport->height}, counts[2] = {lists->columns, lists->rows};
+    memcpy(projection, view->projection, 16 * sizeof *projection);
+    for (int axis = 0; axis < 2; ++axis) {
+        double pixels = (double)counts[axis] * (1 << lists->size_log2);
+        double scale = sizes[axis] / pixels, shift = (sizes[axis] + 2.0 * MARGIN) / pixels - 1;
+        for (int column = 0; column < 4; ++column)
+            projection[4 * column + axis] =
+                scale * ew_element(view->projection, axis, column) + shift * ew_element(view->projection, 3, column);
+    }
+}
+
+static bool has_reach(const ew_sources *sources)
+{
+    for (size_t i = 0; i < sources->lit_count; ++i)
+        if (sources->lit[i].reach > 0) return true;
+    return false;
+}
+
+ew_result ew_make_tile_lists(ew_tile_lists *lists, const ew_sources *sources, const ew_view *view, const ew_interval *depths,
+                             const ew_viewport *viewport, const ew_allocator *allocator, ew_error *error)
+{
+    lists->size_log2 = has_reach(sources) ? EW_TILE_SIZE_LOG2 : ONE_TILE_LOG2;
+    for (;; ++lists->size_log2) {
+        lists->columns = tiles_over(viewport->width, lists->size_log2);
+        lists->rows = tiles_over(viewport->height, lists->size_log2);
+        if (row_count(lists) + 1 > EW_MAX_LIST_ENTRIES / 2) continue;
+        double projection[16];
+        see_tiles(view, viewport, lists, projection);
+        const ew_view wide = {view->view, projection, view->clip_depth};
+        search s = {
+            .lists = lists, .allocator = allocator, .rays = ew_make_ray_field(&wide, depths), .view = &wide, .depths = depths};
+        if (find_pairs(&s, sources) && fill_entries(lists, allocator)) return EW_OK;
+        if (row_count(lists) + 1 + lists->pair_count < EW_MAX_LIST_ENTRIES)
+            return ew_fail(error, EW_ERROR_OUT_OF_MEMORY, "no memory for the lists of %zu sources", sources->lit_count);
+    }
+}
