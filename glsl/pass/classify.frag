@@ -10,48 +10,29 @@ uniform int ew_stride;
 
 out vec4 ew_class;
 
-// How far the polynomial may be off the light, per fourth difference of the nodes. Where the light is smooth it is 1 / 384 (Hermite's
-// error); at a kink half way between two nodes, as at a reach or where the nearest point jumps, it is up to a third. That counts here:
-// it costs little, since differences fall as the fourth power of the distance from a core.
-const float EW_ERROR_OF_DIFFERENCE = 0.2;
+// How far the polynomial may be off the light. It goes through the node in the middle of the patch; how far it would be off there without
+// that, its surplus, tells of all that is not smooth: a kink, as at a reach or where the nearest point jumps, or a core that passes between
+// the nodes at the corners. Along the edges, Hermite's error where the light is smooth is 1 / 384 of the nodes' fourth differences.
+const float EW_ERROR_OF_SURPLUS = 2.5;
+const float EW_ERROR_OF_DIFFERENCE = 1.0 / 24.0;
 
 vec4 ew_fourth_difference(vec4 a, vec4 b, vec4 c, vec4 d, vec4 e)
 {
     return abs(a - 4.0 * b + 6.0 * c - 4.0 * d + e);
 }
 
-// The largest fourth difference on the lines through the patch's edges.
-vec4 ew_edge_roughness(ivec2 first, int stride)
+// The largest error that is to be expected.
+vec4 ew_interpolation_error(ivec2 first, int stride)
 {
-    vec4 most = vec4(0.0);
-    for (int axis = 0; axis < 2; ++axis)
-        for (int line = 0; line < 2; ++line) {
-            vec4 nodes[6];
-            for (int i = 0; i < 6; ++i)
-                nodes[i] = ew_node(first, stride, axis == 0 ? i - 2 : line, axis == 0 ? line : i - 2);
-            most = max(most, ew_fourth_difference(nodes[0], nodes[1], nodes[2], nodes[3], nodes[4]));
-            most = max(most, ew_fourth_difference(nodes[1], nodes[2], nodes[3], nodes[4], nodes[5]));
-        }
-    return most;
-}
-
-vec4 ew_second_difference(ivec2 first, int stride, int x, int y)
-{
-    return ew_node(first, stride, x - 1, y) - 2.0 * ew_node(first, stride, x, y) + ew_node(first, stride, x + 1, y);
-}
-
-// How much the mixed differences at the corners differ, of which the polynomial takes the mean.
-vec4 ew_mixed_roughness(ivec2 first, int stride)
-{
-    vec4 least = vec4(1e30), most = vec4(-1e30);
-    for (int y = 0; y < 2; ++y)
-        for (int x = 0; x < 2; ++x) {
-            vec4 mixed = ew_second_difference(first, stride, x, y - 1) - 2.0 * ew_second_difference(first, stride, x, y)
-                         + ew_second_difference(first, stride, x, y + 1);
-            least = min(least, mixed);
-            most = max(most, mixed);
-        }
-    return most - least;
+    vec4 difference = vec4(0.0), middle = vec4(0.0);
+    for (int i = 0; i < 4; ++i) {
+        vec4 nodes[6];
+        ew_read_edge(first, stride, i & 1, i >> 1, nodes);
+        difference = max(difference, ew_fourth_difference(nodes[0], nodes[1], nodes[2], nodes[3], nodes[4]));
+        difference = max(difference, ew_fourth_difference(nodes[1], nodes[2], nodes[3], nodes[4], nodes[5]));
+        middle += 0.5 * ew_edge_middle(nodes) - 0.125 * (nodes[2] + nodes[3]);
+    }
+    return max(EW_ERROR_OF_DIFFERENCE * difference, EW_ERROR_OF_SURPLUS * abs(ew_middle_node(first, stride) - middle));
 }
 
 // The largest field at a patch's corners.
@@ -152,9 +133,9 @@ void main()
     float least = min(min(ew_node(first, ew_stride, 0, 0).a, ew_node(first, ew_stride, 1, 0).a),
                       min(ew_node(first, ew_stride, 0, 1).a, ew_node(first, ew_stride, 1, 1).a));
     float allowed = ew_grid.tolerance.x * max(least, ew_grid.tolerance.y * peak);
-    vec4 rough = max(ew_edge_roughness(first, ew_stride), ew_mixed_roughness(first, ew_stride));
+    vec4 error = ew_interpolation_error(first, ew_stride);
     float field = ew_field(first, ew_stride);
-    bool is_smooth = EW_ERROR_OF_DIFFERENCE * max(max(rough.r, rough.g), max(rough.b, rough.a)) <= allowed && field < EW_UNRESOLVED;
+    bool is_smooth = max(max(error.r, error.g), max(error.b, error.a)) <= allowed && field < EW_UNRESOLVED;
     bool are_alike = true;
 #ifdef EW_DEPTH
     bool is_cell = ew_stride == 1;

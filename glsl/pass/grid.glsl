@@ -27,11 +27,18 @@ float ew_cell_diagonal(float s)
 #endif
 
 #ifndef EW_NODE_STAGE
-// The light of the nodes: sum B_i color_i, and B as the fourth component.
+// The light of the nodes: sum B_i color_i, and B as the fourth component; and that of the nodes in the middle of the cells.
 uniform sampler2D ew_node_texture;
+uniform sampler2D ew_middle_texture;
 
 vec4 ew_node(ivec2 first, int stride, int x, int y)
 {
     return texelFetch(ew_node_texture, first + stride * ivec2(x, y), 0);
+}
+
+// The node in the middle of a patch.
+vec4 ew_middle_node(ivec2 first, int stride)
+{
+    return stride == 1 ? texelFetch(ew_middle_texture, first, 0) : texelFetch(ew_node_texture, first + stride / 2, 0);
 }
 #endif

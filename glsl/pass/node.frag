@@ -3,6 +3,9 @@
 // Without EW_FIELD: the node's light. With it: the field where the ray ends, which says how much of the light a step in depth
 // makes; or EW_UNRESOLVED, where a source so thin shines nearby that it could slip through between the nodes.
 
+// How far the nodes lie to the right of and above their cells' corners, in pixels.
+uniform int ew_node_offset;
+
 #ifdef EW_FIELD
 out float ew_of_node;
 #else
@@ -33,7 +36,7 @@ float ew_window_depth_around(ivec2 place)
 
 void main()
 {
-    ivec2 place = ew_grid.viewport.xy + (ivec2(gl_FragCoord.xy) - EW_NODE_MARGIN) * EW_CELL_SIZE;
+    ivec2 place = ew_grid.viewport.xy + (ivec2(gl_FragCoord.xy) - EW_NODE_MARGIN) * EW_CELL_SIZE + ew_node_offset;
     vec2 pixel = vec2(place) + 0.5 - ew_frame.pixel_center.xy;
     ew_segment segment = ew_pixel_segment(pixel);
 #ifdef EW_LISTS

@@ -8,6 +8,7 @@ enum {
     EW_GL_LIST_TEXTURE_UNIT,
     EW_GL_SOURCE_TEXTURE_UNIT,
     EW_GL_NODE_TEXTURE_UNIT,
+    EW_GL_MIDDLE_TEXTURE_UNIT,
     EW_GL_FIELD_TEXTURE_UNIT,
     EW_GL_CELL_TEXTURE_UNIT,
     EW_GL_BLOCK_TEXTURE_UNIT, /* while there are no blocks yet, the peak of the nodes */

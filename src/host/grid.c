@@ -54,6 +54,7 @@ static void grow(ew_grid *grid, const ew_gl *gl, extent blocks)
     gl->GetIntegerv(GL_PIXEL_UNPACK_BUFFER_BINDING, &unpack_buffer);
     gl->BindBuffer(GL_PIXEL_UNPACK_BUFFER, 0);
     allocate(gl, &grid->nodes, GL_RGBA32F, GL_RGBA, GL_FLOAT, nodes);
+    allocate(gl, &grid->middles, GL_RGBA32F, GL_RGBA, GL_FLOAT, nodes);
     allocate(gl, &grid->field, GL_R32F, GL_RED, GL_FLOAT, nodes);
     allocate(gl, &grid->cells, GL_R8, GL_RED, GL_UNSIGNED_BYTE,
              (extent){room.columns * EW_BLOCK_CELLS, room.rows * EW_BLOCK_CELLS});
@@ -69,7 +70,7 @@ static void grow(ew_grid *grid, const ew_gl *gl, extent blocks)
 
 void ew_grid_destroy(ew_grid *grid, const ew_gl *gl)
 {
-    const GLuint textures[] = {grid->nodes, grid->field, grid->cells, grid->blocks};
+    const GLuint textures[] = {grid->nodes, grid->middles, grid->field, grid->cells, grid->blocks};
     gl->DeleteTextures(sizeof textures / sizeof textures[0], textures);
     gl->DeleteTextures(EW_GRID_PEAK_LEVELS, grid->peaks);
     *grid = (ew_grid){0};
@@ -131,12 +132,17 @@ static void fill_textures(const ew_grid *grid, const ew_drawing *drawing, const 
 {
     const ew_gl *gl = drawing->gl;
     use_with_samples(drawing, EW_PASS_NODES, 1);
+    const GLint offset = gl->GetUniformLocation(drawing->programs.names[EW_PASS_NODES], "ew_node_offset");
+    gl->Uniform1i(offset, 0);
     fill(drawing, grid->nodes, extents->nodes);
+    gl->Uniform1i(offset, EW_CELL_SIZE / 2);
+    fill(drawing, grid->middles, extents->nodes);
     use_with_samples(drawing, EW_PASS_FIELD, 1);
     fill(drawing, grid->field, extents->nodes);
     GLuint peak = fill_peaks(grid, drawing, extents->nodes);
 
     bind(gl, EW_GL_NODE_TEXTURE_UNIT, grid->nodes);
+    bind(gl, EW_GL_MIDDLE_TEXTURE_UNIT, grid->middles);
     bind(gl, EW_GL_FIELD_TEXTURE_UNIT, grid->field);
     bind(gl, EW_GL_BLOCK_TEXTURE_UNIT, peak);
     use_with_samples(drawing, EW_PASS_CLASSES, drawing->depth->samples);

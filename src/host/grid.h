@@ -13,7 +13,7 @@ enum { EW_GRID_PEAK_LEVELS = 4 };
 
 /* A grid's textures. Starts as {0}, and keeps them from frame to frame. */
 typedef struct ew_grid {
-    GLuint nodes, field, cells, blocks;
+    GLuint nodes, middles, field, cells, blocks;
     GLuint peaks[EW_GRID_PEAK_LEVELS];
     int columns, rows; /* of blocks, that there is room for */
     bool is_refused;   /* the driver cannot draw to such textures */

@@ -274,6 +274,7 @@ void ew_write_vertex_shader(ew_shader_text *text, const ew_dialect *dialect, ew_
     if (pass == EW_PASS_CELLS && key & EW_PERMUTATION_LISTS) add_file(text, ew_glsl_list_glsl);
     if (pass == EW_PASS_INTERPOLATION) {
         add_file(text, ew_glsl_patch_glsl);
+        add_file(text, ew_glsl_edge_glsl);
         add_file(text, ew_glsl_fit_glsl);
     }
     add_file(text, draws_patches(pass) ? ew_glsl_patch_vert : ew_glsl_quad_vert);
@@ -331,6 +332,7 @@ void ew_write_fragment_shader(ew_shader_text *text, const ew_dialect *dialect, e
     add_depth(text, key);
     add_file(text, ew_glsl_grid_glsl);
     if (pass == EW_PASS_CLASSES) {
+        add_file(text, ew_glsl_edge_glsl);
         add_file(text, ew_glsl_classify_frag);
         return;
     }
