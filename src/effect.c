@@ -75,7 +75,9 @@ static ew_result plan_frame(ew_effect *effect, const ew_mix *mix, const ew_frame
     ew_frame_desc settled;
     frame = settle(effect, frame, &settled);
     ew_result result = ew_plan_frame(plan, &effect->sources, mix, frame, error);
-    return result == EW_OK ? ew_plan_lists(plan, &effect->lists, &effect->sources, frame, &effect->allocator, error) : result;
+    size_t most = ew_gl_dialect(&effect->device.gl).list_size * EW_LIST_ENTRIES_IN_UNIT;
+    if (result != EW_OK) return result;
+    return ew_plan_lists(plan, &effect->lists, &effect->sources, frame, most, &effect->allocator, error);
 }
 
 ew_result ew_draw(ew_effect *effect, const ew_frame_desc *frame, ew_error *error)

@@ -40,7 +40,7 @@ struct ew_grid_block {
 #define EW_PEAK_SIZE 16
 
 // Tiles, over which there are lists of the sources that may light them, are as wide as blocks or, where lists would be too long, wider by
-// a power of two. The first tile begins where the first node is. The texture of the lists is EW_TEXTURE_WIDTH wide.
+// a power of two. The first tile begins where the first node is. A texture of sources is EW_TEXTURE_WIDTH wide.
 #define EW_TILE_SIZE_LOG2 5
 #define EW_TEXTURE_WIDTH 1024
 

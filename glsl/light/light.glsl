@@ -53,15 +53,14 @@ float ew_others(vec4 sum, vec4 color)
 #define EW_ADD(block, read) block source = read(EW_PLACE(i)); sum.a += ew_field_of(segment, source); ++i;
 #define EW_ADD_ALL(block, read) if (i < end) { do { EW_ADD(block, read) } while (i < end); }
 #elif defined(EW_REACH)
-// Sources that the ray misses are passed over in loops of their own, so that the expensive body stands before the search for the next
-// source and is left right behind it: a software rasteriser runs what it has come to for a group of pixels, whether or not one of them
-// needs it. A pixel that has left a loop while others of its group have not may see its values computed once more (llvmpipe does so);
-// so the search stays where it is once it has found a source.
+// Sources that the ray misses are passed over in a loop of their own: where a group of pixels has few, a software rasteriser goes
+// through the expensive body as often as the pixel of the group that has most. A pixel that has left that loop while others of its
+// group have not may see its values computed once more (llvmpipe does so); so the search stays where it is once it has found one.
 #define EW_CHORD(source) source.glow.y > 0.0 ? min(ew_chord(segment, source), max(ew_last_lit(source.glow), 0.0)) : whole
 #define EW_TRY(read) source = read(EW_PLACE(i)); chord = EW_CHORD(source); hit = hit || chord.x < chord.y; i += hit ? 0 : 1;
-#define EW_FIND(read) hit = false; if (i < end) { do { EW_TRY(read) } while (!hit && i < end); }
-#define EW_ADD_FOUND(read) do { EW_ADD_SOURCE(source); ++i; EW_FIND(read) } while (hit);
-#define EW_ADD_ALL(block, read) bool hit; block source; EW_FIND(read) if (hit) { EW_ADD_FOUND(read) }
+#define EW_FIND(block, read) block source; bool hit = false; do { EW_TRY(read) } while (!hit && i < end);
+#define EW_ADD(block, read) EW_FIND(block, read) if (hit) { EW_ADD_SOURCE(source); ++i; }
+#define EW_ADD_ALL(block, read) if (i < end) { do { EW_ADD(block, read) } while (i < end); }
 #else
 #define EW_ADD(block, read) block source = read(EW_PLACE(i)); EW_ADD_SOURCE(source); ++i;
 #define EW_ADD_ALL(block, read) if (i < end) { do { EW_ADD(block, read) } while (i < end); }

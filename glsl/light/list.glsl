@@ -1,10 +1,15 @@
 // Lists of the sources that may light a tile of the viewport: src/plan/tile_lists.h says how they are laid out.
 
-uniform highp usampler2D ew_list_texture;
+// Entries, two in a word, the first in its lower half.
+layout(std140) uniform ew_lists
+{
+    uvec4 ew_list_words[EW_LIST_SIZE];
+};
 
 int ew_list_entry(int i)
 {
-    return int(texelFetch(ew_list_texture, ivec2(i % EW_TEXTURE_WIDTH, i / EW_TEXTURE_WIDTH), 0).r);
+    uint word = ew_list_words[i >> 3][(i >> 1) & 3];
+    return int((i & 1) == 0 ? word & 0xffffu : word >> 16);
 }
 
 // The first row, in the table of lists, of the tile at a pixel of the viewport, or of the nodes around it.

@@ -5,7 +5,6 @@
 /* The units of textures and their samplers: the opaque depth, the sources, and the grid of adaptive resolution. */
 enum {
     EW_GL_DEPTH_TEXTURE_UNIT,
-    EW_GL_LIST_TEXTURE_UNIT,
     EW_GL_SOURCE_TEXTURE_UNIT,
     EW_GL_NODE_TEXTURE_UNIT,
     EW_GL_MIDDLE_TEXTURE_UNIT,
@@ -15,7 +14,7 @@ enum {
     EW_GL_TEXTURE_UNIT_COUNT,
 };
 
-/* The binding of the uniform block. */
-enum { EW_GL_UNIFORM_BINDING = 0 };
+/* The bindings of the uniform blocks. */
+enum { EW_GL_UNIFORM_BINDING, EW_GL_LIST_BINDING, EW_GL_BINDING_COUNT };
 
 #endif

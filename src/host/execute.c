@@ -15,6 +15,7 @@ ew_result ew_device_create(ew_device *device, const ew_effect_desc *desc, ew_err
     for (int pass = 0; pass < EW_PASS_COUNT; ++pass)
         device->programs[pass].pass = (ew_pass)pass;
     gl->GenBuffers(1, &device->uniform_buffer);
+    gl->GenBuffers(1, &device->list_buffer);
     gl->GenSamplers(1, &device->depth_sampler);
     gl->SamplerParameteri(device->depth_sampler, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     gl->SamplerParameteri(device->depth_sampler, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
@@ -28,10 +29,11 @@ void ew_device_destroy(ew_device *device)
     for (int pass = 0; pass < EW_PASS_COUNT; ++pass)
         ew_program_cache_destroy(&device->programs[pass], gl);
     ew_grid_destroy(&device->grid, gl);
-    ew_source_textures_destroy(&device->source_textures, gl);
+    ew_source_texture_destroy(&device->source_texture, gl);
     ew_depth_copy_destroy(&device->depth_copy, gl);
     gl->DeleteSamplers(1, &device->depth_sampler);
     gl->DeleteBuffers(1, &device->uniform_buffer);
+    gl->DeleteBuffers(1, &device->list_buffer);
 }
 
 void ew_device_abandon(ew_device *device, const ew_allocator *allocator)
@@ -56,6 +58,16 @@ static void fill_uniform_buffer(const ew_device *device, const ew_plan *plan)
     gl->BufferSubData(GL_UNIFORM_BUFFER, 0, (GLsizeiptr)head, &plan->uniforms);
     if (plan->source_data_size > 0 && plan->source_data_size <= capacity)
         gl->BufferSubData(GL_UNIFORM_BUFFER, (GLintptr)head, (GLsizeiptr)plan->source_data_size, plan->source_data);
+}
+
+/* Fills the buffer of lists in the same way. */
+static void fill_list_buffer(const ew_device *device, const ew_plan *plan)
+{
+    const ew_gl *gl = &device->gl;
+    const ew_tile_lists *lists = plan->lists;
+    gl->BindBuffer(GL_UNIFORM_BUFFER, device->list_buffer);
+    gl->BufferData(GL_UNIFORM_BUFFER, (GLsizeiptr)(ew_gl_dialect(gl).list_size * sizeof(ew_vec4)), NULL, GL_STREAM_DRAW);
+    gl->BufferSubData(GL_UNIFORM_BUFFER, 0, (GLsizeiptr)((lists->entry_count + 1) / 2 * sizeof *lists->words), lists->words);
 }
 
 ew_result ew_upload(const ew_device *device, const ew_plan *plan, ew_error *error)
@@ -210,7 +222,11 @@ static ew_result draw(ew_device *device, const plan_task *task, bool on_grid, un
     gl->BindSampler(EW_GL_DEPTH_TEXTURE_UNIT, device->depth_sampler);
     fill_uniform_buffer(device, task->plan);
     gl->BindBufferBase(GL_UNIFORM_BUFFER, EW_GL_UNIFORM_BINDING, device->uniform_buffer);
-    ew_source_textures_bind(&device->source_textures, gl, task->plan, key);
+    if (key & EW_PERMUTATION_LISTS) {
+        fill_list_buffer(device, task->plan);
+        gl->BindBufferBase(GL_UNIFORM_BUFFER, EW_GL_LIST_BINDING, device->list_buffer);
+    }
+    if (key & EW_PERMUTATION_SOURCE_TEXTURE) ew_source_texture_bind(&device->source_texture, gl, task->plan);
     /* Vertex arrays are not shared between contexts, and one without attributes costs nothing to make. */
     GLuint vertex_array;
     gl->GenVertexArrays(1, &vertex_array);

@@ -6,7 +6,7 @@
 #include "host/gl.h"
 #include "host/grid.h"
 #include "host/program_cache.h"
-#include "host/source_textures.h"
+#include "host/source_texture.h"
 #include "plan/plan.h"
 
 /* The GL objects of an effect, and the context's functions. */
@@ -15,9 +15,9 @@ typedef struct ew_device {
     ew_program_cache programs[EW_PASS_COUNT];
     ew_depth_copy depth_copy;
     ew_grid grid;
-    ew_source_textures source_textures;
+    ew_source_texture source_texture;
     GLuint depth_sampler; /* reads depth as it is, whatever the texture's own parameters say */
-    GLuint uniform_buffer;
+    GLuint uniform_buffer, list_buffer;
 } ew_device;
 
 /* Makes the device of the current context. On failure there is nothing to destroy. */

@@ -12,7 +12,8 @@ ew_dialect ew_gl_dialect(const ew_gl *gl)
     return (ew_dialect){.es = gl->es,
                         .software = gl->software,
                         .max_varying_vectors = gl->max_varying_vectors,
-                        .capacity = ew_sources_capacity((size_t)gl->max_uniform_block_size)};
+                        .capacity = ew_sources_capacity((size_t)gl->max_uniform_block_size),
+                        .list_size = ew_largest_block((size_t)gl->max_uniform_block_size) / sizeof(ew_vec4)};
 }
 
 /* Hands the text to the compiler. Whether it takes it is not asked here: the answer would have to be waited for. */
@@ -46,15 +47,18 @@ static GLuint compile_fragment_shader(const ew_gl *gl, ew_pass pass, unsigned ke
 
 static void assign_bindings(const ew_gl *gl, GLuint program)
 {
-    gl->UniformBlockBinding(program, gl->GetUniformBlockIndex(program, "ew_uniforms"), EW_GL_UNIFORM_BINDING);
+    static const char *const blocks[] = {[EW_GL_UNIFORM_BINDING] = "ew_uniforms", [EW_GL_LIST_BINDING] = "ew_lists"};
+    for (GLuint binding = 0; binding < EW_GL_BINDING_COUNT; ++binding) {
+        GLuint index = gl->GetUniformBlockIndex(program, blocks[binding]);
+        if (index != GL_INVALID_INDEX) gl->UniformBlockBinding(program, index, binding);
+    }
     static const struct {
         const char *name;
         GLint unit;
-    } textures[] = {{"ew_depth_texture", EW_GL_DEPTH_TEXTURE_UNIT},   {"ew_list_texture", EW_GL_LIST_TEXTURE_UNIT},
-                    {"ew_source_texture", EW_GL_SOURCE_TEXTURE_UNIT}, {"ew_node_texture", EW_GL_NODE_TEXTURE_UNIT},
-                    {"ew_middle_texture", EW_GL_MIDDLE_TEXTURE_UNIT}, {"ew_field_texture", EW_GL_FIELD_TEXTURE_UNIT},
-                    {"ew_cell_texture", EW_GL_CELL_TEXTURE_UNIT},     {"ew_block_texture", EW_GL_BLOCK_TEXTURE_UNIT},
-                    {"ew_peak_texture", EW_GL_BLOCK_TEXTURE_UNIT}};
+    } textures[] = {{"ew_depth_texture", EW_GL_DEPTH_TEXTURE_UNIT}, {"ew_source_texture", EW_GL_SOURCE_TEXTURE_UNIT},
+                    {"ew_node_texture", EW_GL_NODE_TEXTURE_UNIT},   {"ew_middle_texture", EW_GL_MIDDLE_TEXTURE_UNIT},
+                    {"ew_field_texture", EW_GL_FIELD_TEXTURE_UNIT}, {"ew_cell_texture", EW_GL_CELL_TEXTURE_UNIT},
+                    {"ew_block_texture", EW_GL_BLOCK_TEXTURE_UNIT}, {"ew_peak_texture", EW_GL_BLOCK_TEXTURE_UNIT}};
     gl->UseProgram(program);
     for (size_t i = 0; i < sizeof textures / sizeof textures[0]; ++i) {
         GLint location = gl->GetUniformLocation(program, textures[i].name);

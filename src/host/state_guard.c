@@ -51,15 +51,15 @@ static ew_result keep_program(const ew_gl *gl, ew_gl_state *state, ew_error *err
     return EW_OK;
 }
 
-static void save_uniform_binding(const ew_gl *gl, ew_gl_buffer_binding *binding)
+static void save_uniform_binding(const ew_gl *gl, GLuint index, ew_gl_buffer_binding *binding)
 {
     GLint buffer = 0;
-    gl->GetIntegeri_v(GL_UNIFORM_BUFFER_BINDING, EW_GL_UNIFORM_BINDING, &buffer);
+    gl->GetIntegeri_v(GL_UNIFORM_BUFFER_BINDING, index, &buffer);
     *binding = (ew_gl_buffer_binding){0};
     if (buffer == 0 || !gl->IsBuffer((GLuint)buffer)) return;
     binding->buffer = (GLuint)buffer;
-    gl->GetInteger64i_v(GL_UNIFORM_BUFFER_START, EW_GL_UNIFORM_BINDING, &binding->start);
-    gl->GetInteger64i_v(GL_UNIFORM_BUFFER_SIZE, EW_GL_UNIFORM_BINDING, &binding->size);
+    gl->GetInteger64i_v(GL_UNIFORM_BUFFER_START, index, &binding->start);
+    gl->GetInteger64i_v(GL_UNIFORM_BUFFER_SIZE, index, &binding->size);
 }
 
 ew_result ew_gl_save_state(const ew_gl *gl, ew_gl_state *state, ew_error *error)
@@ -75,7 +75,8 @@ ew_result ew_gl_save_state(const ew_gl *gl, ew_gl_state *state, ew_error *error)
 
     state->vertex_array = (GLuint)get_integer(gl, GL_VERTEX_ARRAY_BINDING);
     state->uniform_buffer = ew_gl_uniform_buffer(gl);
-    save_uniform_binding(gl, &state->uniform_binding);
+    for (GLuint index = 0; index < EW_GL_BINDING_COUNT; ++index)
+        save_uniform_binding(gl, index, &state->uniform_bindings[index]);
 
     state->active_texture = (GLenum)get_integer(gl, GL_ACTIVE_TEXTURE);
     for (int unit = EW_GL_TEXTURE_UNIT_COUNT - 1; unit >= 0; --unit) {
@@ -279,14 +280,15 @@ void ew_gl_clip_to(const ew_gl *gl, const ew_gl_state *state, const ew_viewport 
     set_scissor(gl, true, (const GLint[4]){left, bottom, larger(right - left, 0), larger(top - bottom, 0)});
 }
 
-static void restore_uniform_binding(const ew_gl *gl, const ew_gl_state *state)
+static void restore_uniform_bindings(const ew_gl *gl, const ew_gl_state *state)
 {
-    const ew_gl_buffer_binding *binding = &state->uniform_binding;
-    if (binding->size > 0)
-        gl->BindBufferRange(GL_UNIFORM_BUFFER, EW_GL_UNIFORM_BINDING, binding->buffer, (GLintptr)binding->start,
-                            (GLsizeiptr)binding->size);
-    else /* the whole buffer, even if its size changes */
-        gl->BindBufferBase(GL_UNIFORM_BUFFER, EW_GL_UNIFORM_BINDING, binding->buffer);
+    for (GLuint index = 0; index < EW_GL_BINDING_COUNT; ++index) {
+        const ew_gl_buffer_binding *binding = &state->uniform_bindings[index];
+        if (binding->size > 0)
+            gl->BindBufferRange(GL_UNIFORM_BUFFER, index, binding->buffer, (GLintptr)binding->start, (GLsizeiptr)binding->size);
+        else /* the whole buffer, even if its size changes */
+            gl->BindBufferBase(GL_UNIFORM_BUFFER, index, binding->buffer);
+    }
     gl->BindBuffer(GL_UNIFORM_BUFFER, state->uniform_buffer); /* last: the calls above change this binding, too */
 }
 
@@ -338,7 +340,7 @@ void ew_gl_restore_state(const ew_gl *gl, const ew_gl_state *state)
     }
     gl->ActiveTexture(state->active_texture);
 
-    restore_uniform_binding(gl, state);
+    restore_uniform_bindings(gl, state);
     gl->BindVertexArray(state->vertex_array);
     gl->UseProgram(state->program);
     if (state->program_keeper) gl->DeleteProgramPipelines(1, &state->program_keeper);

@@ -21,7 +21,7 @@ typedef struct ew_gl_state {
     bool transform_feedback_paused;
     GLuint vertex_array;
     GLuint uniform_buffer;
-    ew_gl_buffer_binding uniform_binding;
+    ew_gl_buffer_binding uniform_bindings[EW_GL_BINDING_COUNT];
     GLenum active_texture;
     GLuint textures[EW_GL_TEXTURE_UNIT_COUNT]; /* GL_TEXTURE_2D */
     GLuint samplers[EW_GL_TEXTURE_UNIT_COUNT];

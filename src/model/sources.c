@@ -8,13 +8,17 @@
 
 #include <string.h>
 
-/* The largest block that is used: all drivers of desktop GL have it. */
+/* Drivers of desktop GL have it. */
 enum { MAX_BLOCK_SIZE = 65536 };
+
+size_t ew_largest_block(size_t block_size)
+{
+    return block_size < MAX_BLOCK_SIZE ? block_size : MAX_BLOCK_SIZE;
+}
 
 size_t ew_sources_capacity(size_t block_size)
 {
-    size_t size = block_size < MAX_BLOCK_SIZE ? block_size : MAX_BLOCK_SIZE;
-    return (size - sizeof(struct ew_uniform_head)) / sizeof(ew_vec4);
+    return (ew_largest_block(block_size) - sizeof(struct ew_uniform_head)) / sizeof(ew_vec4);
 }
 
 /* ---- The host's description ---- */

@@ -44,7 +44,10 @@ typedef struct ew_sources {
     size_t weight_units; /* where they begin, in units */
 } ew_sources;
 
-/* How many units (vec4) of sources a uniform block of `block_size` bytes holds, up to 64 KiB. */
+/* The size of the largest block that is used where GL takes blocks of `block_size` bytes. */
+size_t ew_largest_block(size_t block_size);
+
+/* How many units (vec4) of sources a uniform block of `block_size` bytes holds. */
 size_t ew_sources_capacity(size_t block_size);
 
 /* Replaces what `sources` holds by a copy of `desc`, in the same memory if it is large enough. On failure `sources` is left

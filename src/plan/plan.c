@@ -170,16 +170,18 @@ ew_result ew_plan_frame(ew_plan *plan, ew_sources *sources, const ew_mix *mix, c
 }
 
 ew_result ew_plan_lists(ew_plan *plan, ew_tile_lists *lists, const ew_sources *sources, const ew_frame_desc *frame,
-                        const ew_allocator *allocator, ew_error *error)
+                        size_t most_entries, const ew_allocator *allocator, ew_error *error)
 {
     const ew_view view = ew_view_of(frame);
     /* The published method is a baseline, and looks at every source. */
     if (frame->integrator == EW_INTEGRATOR_SIMPSON || !(plan->permutation & EW_PERMUTATION_REACH)) return EW_OK;
+    ew_result result =
+        ew_make_tile_lists(lists, sources, &view, &plan->depths, &plan->target.viewport, most_entries, allocator, error);
+    if (result != EW_OK || lists->entry_count == 0) return result;
     plan->permutation = ew_permutation_with_lists(plan->permutation);
     plan->lists = lists;
-    ew_result result = ew_make_tile_lists(lists, sources, &view, &plan->depths, &plan->target.viewport, allocator, error);
     plan->uniforms.grid.tiles = (ew_ivec4){lists->columns, lists->size_log2, 0, 0};
-    return result;
+    return EW_OK;
 }
 
 ew_result ew_plan_bounds(const ew_sources *sources, const ew_frame_desc *frame, ew_bounds *bounds, ew_error *error)

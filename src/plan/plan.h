@@ -53,10 +53,10 @@ ew_result ew_plan_uniforms(ew_plan *plan, ew_sources *sources, const ew_frame_de
  * sources change or are planned again. */
 ew_result ew_plan_frame(ew_plan *plan, ew_sources *sources, const ew_mix *mix, const ew_frame_desc *frame, ew_error *error);
 
-/* Completes a plan of ew_plan_frame by lists of the sources by tile, if they have reaches. The plan is valid until the lists
- * are made again. */
+/* Completes a plan of ew_plan_frame by lists of the sources by tile, of at most `most_entries`, if the sources have reaches.
+ * The plan is valid until the lists are made again. */
 ew_result ew_plan_lists(ew_plan *plan, ew_tile_lists *lists, const ew_sources *sources, const ew_frame_desc *frame,
-                        const ew_allocator *allocator, ew_error *error);
+                        size_t most_entries, const ew_allocator *allocator, ew_error *error);
 
 /* Says what the sources can light of a frame: see ew_get_bounds. */
 ew_result ew_plan_bounds(const ew_sources *sources, const ew_frame_desc *frame, ew_bounds *bounds, ew_error *error);

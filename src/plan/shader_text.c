@@ -88,6 +88,7 @@ static void add_defines(ew_shader_text *text, const ew_dialect *dialect, unsigne
         "DITHER",  "DITHER_SRGB", "WORLD",   "REACH",     "CORE_PIXELS",   "SHARPNESS",
         "SOFT",    "JOINTS",      "BENDS",   "LISTS",     "SOURCE_TEXTURE"};
     add_made(text, "#define EW_SOURCE_DATA_SIZE %zu\n", dialect->capacity);
+    if (key & EW_PERMUTATION_LISTS) add_made(text, "#define EW_LIST_SIZE %zu\n", dialect->list_size);
     for (int i = 0; i < EW_PERMUTATION_FLAG_COUNT; ++i)
         if (key & 1u << i) add_made(text, "#define EW_%s\n", flags[i]);
 }

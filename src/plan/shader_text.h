@@ -10,6 +10,7 @@ typedef struct ew_dialect {
     bool software;           /* drawn by the processor: see glsl/base/blocks.glsl */
     int max_varying_vectors; /* between the stages */
     size_t capacity;         /* units of sources in the uniform block */
+    size_t list_size;        /* of the uniform block of lists, in units */
 } ew_dialect;
 
 /* The files of an integrator. They stand behind the base and before the light. */

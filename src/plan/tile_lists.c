@@ -47,11 +47,11 @@ static bool reserve_pairs(ew_tile_lists *lists, size_t count, const ew_allocator
     return pairs;
 }
 
-static bool reserve_entries(ew_tile_lists *lists, size_t count, const ew_allocator *allocator)
+static bool reserve_words(ew_tile_lists *lists, size_t count, const ew_allocator *allocator)
 {
-    void *entries = grow(lists->entries, &lists->entry_capacity, 0, count, sizeof *lists->entries, allocator);
-    if (entries) lists->entries = entries;
-    return entries;
+    void *words = grow(lists->words, &lists->word_capacity, 0, count, sizeof *lists->words, allocator);
+    if (words) lists->words = words;
+    return words;
 }
 
 static bool reserve_last_sources(ew_tile_lists *lists, size_t count, const ew_allocator *allocator)
@@ -63,7 +63,7 @@ static bool reserve_last_sources(ew_tile_lists *lists, size_t count, const ew_al
 
 void ew_destroy_tile_lists(ew_tile_lists *lists, const ew_allocator *allocator)
 {
-    void *const memory[] = {lists->entries, lists->pairs, lists->last_sources};
+    void *const memory[] = {lists->words, lists->pairs, lists->last_sources};
     for (size_t i = 0; i < sizeof memory / sizeof memory[0]; ++i)
         if (memory[i]) allocator->deallocate(allocator->user, memory[i]);
     *lists = (ew_tile_lists){0};
@@ -81,6 +81,7 @@ typedef struct search {
     const ew_lit_source *lit;
     uint32_t number; /* of the source, from 1 on */
     int kind;
+    size_t most;  /* entries */
     bool is_over; /* no memory, or too many entries */
 } search;
 
@@ -101,7 +102,7 @@ static void add(search *s, const int tile[2])
     const uint32_t row = (uint32_t)((tile[1] * lists->columns + tile[0]) * EW_KIND_COUNT + s->kind);
     if (lists->last_sources[row] == s->number) return;
     lists->last_sources[row] = s->number;
-    s->is_over = s->is_over || row_count(lists) + 1 + lists->pair_count == EW_MAX_LIST_ENTRIES ||
+    s->is_over = s->is_over || row_count(lists) + 1 + lists->pair_count == s->most ||
                  !reserve_pairs(lists, lists->pair_count + 1, s->allocator);
     if (!s->is_over) lists->pairs[lists->pair_count++] = (struct ew_tile_pair){row, (uint32_t)s->lit->index};
 }
@@ -189,25 +190,33 @@ static bool find_pairs(search *s, const ew_sources *sources)
 
 /* ---- Entries ---- */
 
-/* Sorts the pairs by row. Within a row they stay in order. */
+static void set_entry(ew_tile_lists *lists, size_t index, uint32_t value)
+{
+    lists->words[index / 2] |= value << 16 * (index % 2);
+}
+
+/* Sorts the pairs by row. Within a row they stay in order. Where each row's next pair goes stands in last_sources, which is
+ * done with. */
 static bool fill_entries(ew_tile_lists *lists, const ew_allocator *allocator)
 {
     const size_t rows = row_count(lists);
+    uint32_t *next = lists->last_sources, at = (uint32_t)rows + 1;
     lists->entry_count = rows + 1 + lists->pair_count;
-    if (!reserve_entries(lists, lists->entry_count, allocator)) return false;
-    uint32_t *ends = lists->entries + 1, at = (uint32_t)rows + 1;
-    memset(lists->entries, 0, (rows + 1) * sizeof *lists->entries);
+    const size_t words = (lists->entry_count + 1) / 2;
+    if (!reserve_words(lists, words, allocator)) return false;
+    memset(lists->words, 0, words * sizeof *lists->words);
+    memset(next, 0, rows * sizeof *next);
     for (size_t i = 0; i < lists->pair_count; ++i)
-        ends[lists->pairs[i].row]++;
-    /* Each row's end starts where its list does, and moves on as the list is filled. */
-    lists->entries[0] = at;
+        next[lists->pairs[i].row]++;
     for (size_t row = 0; row < rows; ++row) {
-        uint32_t count = ends[row];
-        ends[row] = at;
+        uint32_t count = next[row];
+        set_entry(lists, row, at);
+        next[row] = at;
         at += count;
     }
+    set_entry(lists, rows, at);
     for (size_t i = 0; i < lists->pair_count; ++i)
-        lists->entries[ends[lists->pairs[i].row]++] = lists->pairs[i].place;
+        set_entry(lists, next[lists->pairs[i].row]++, lists->pairs[i].place);
     return true;
 }
 
@@ -235,20 +244,26 @@ static bool has_reach(const ew_sources *sources)
 }
 
 ew_result ew_make_tile_lists(ew_tile_lists *lists, const ew_sources *sources, const ew_view *view, const ew_interval *depths,
-                             const ew_viewport *viewport, const ew_allocator *allocator, ew_error *error)
+                             const ew_viewport *viewport, size_t most, const ew_allocator *allocator, ew_error *error)
 {
-    lists->size_log2 = has_reach(sources) ? EW_TILE_SIZE_LOG2 : ONE_TILE_LOG2;
-    for (;; ++lists->size_log2) {
-        lists->columns = tiles_over(viewport->width, lists->size_log2);
-        lists->rows = tiles_over(viewport->height, lists->size_log2);
-        if (row_count(lists) + 1 > EW_MAX_LIST_ENTRIES / 2) continue;
+    lists->entry_count = 0;
+    for (int size_log2 = has_reach(sources) ? EW_TILE_SIZE_LOG2 : ONE_TILE_LOG2; size_log2 <= ONE_TILE_LOG2; ++size_log2) {
+        lists->size_log2 = size_log2;
+        lists->columns = tiles_over(viewport->width, size_log2);
+        lists->rows = tiles_over(viewport->height, size_log2);
+        if (row_count(lists) + 1 > most / 2) continue;
         double projection[16];
         see_tiles(view, viewport, lists, projection);
         const ew_view wide = {view->view, projection, view->clip_depth};
-        search s = {
-            .lists = lists, .allocator = allocator, .rays = ew_make_ray_field(&wide, depths), .view = &wide, .depths = depths};
+        search s = {.lists = lists,
+                    .allocator = allocator,
+                    .rays = ew_make_ray_field(&wide, depths),
+                    .view = &wide,
+                    .depths = depths,
+                    .most = most};
         if (find_pairs(&s, sources) && fill_entries(lists, allocator)) return EW_OK;
-        if (row_count(lists) + 1 + lists->pair_count < EW_MAX_LIST_ENTRIES)
+        if (row_count(lists) + 1 + lists->pair_count < most)
             return ew_fail(error, EW_ERROR_OUT_OF_MEMORY, "no memory for the lists of %zu sources", sources->lit_count);
     }
+    return EW_OK;
 }

@@ -4,7 +4,7 @@
  *
  * The entries are what the shader reads (glsl/light/list.glsl). First comes a table with EW_KIND_COUNT rows a tile, tile after
  * tile: where the list of the tile's sources of each kind begins. It ends where the next row's begins; the table has one row
- * more. Then come the lists: the sources' places in their kinds.
+ * more. Then come the lists: the sources' places in their kinds. Entries are 16 bits wide, two in a word.
  */
 #ifndef EW_TILE_LISTS_H
 #define EW_TILE_LISTS_H
@@ -15,6 +15,9 @@
 
 #include <stdint.h>
 
+/* How many entries stand in the room of a vec4. */
+enum { EW_LIST_ENTRIES_IN_UNIT = 8 };
+
 /* A row of the table, and a source of its list. */
 struct ew_tile_pair {
     uint32_t row, place;
@@ -22,8 +25,8 @@ struct ew_tile_pair {
 
 /* Starts as {0}, and keeps its memory from frame to frame. */
 typedef struct ew_tile_lists {
-    uint32_t *entries;
-    size_t entry_count, entry_capacity;
+    uint32_t *words;
+    size_t entry_count, word_capacity;
     int columns, rows;
     int size_log2; /* of a tile's width in pixels */
 
@@ -34,12 +37,10 @@ typedef struct ew_tile_lists {
     size_t last_source_capacity;
 } ew_tile_lists;
 
-/* The most entries: tiles are made wider until there are no more. */
-#define EW_MAX_LIST_ENTRIES (1 << 20)
-
-/* Makes the lists for the sources as they are seen between two depths. On failure nothing may be drawn with them. */
+/* Makes the lists for the sources as they are seen between two depths. Tiles are made wider until there are at most `most`
+ * entries. On failure nothing may be drawn with the lists. Where even a tile for all takes more, entry_count is 0. */
 ew_result ew_make_tile_lists(ew_tile_lists *lists, const ew_sources *sources, const ew_view *view, const ew_interval *depths,
-                             const ew_viewport *viewport, const ew_allocator *allocator, ew_error *error);
+                             const ew_viewport *viewport, size_t most, const ew_allocator *allocator, ew_error *error);
 
 void ew_destroy_tile_lists(ew_tile_lists *lists, const ew_allocator *allocator);
 

@@ -1,0 +1,80 @@
+/* The texture of sources: see source_texture.h. */
+#include "host/source_texture.h"
+
+#include "host/binding_points.h"
+
+/* ---- The host's way to store pixels, which also tells how textures are filled ---- */
+
+/* Those states that matter to two-dimensional textures, and what they must be. */
+static const struct {
+    GLenum name;
+    GLint value;
+    bool is_desktop;
+} unpack_states[] = {{GL_UNPACK_ALIGNMENT, 4, false},
+                     {GL_UNPACK_ROW_LENGTH, 0, false},
+                     {GL_UNPACK_SKIP_ROWS, 0, false},
+                     {GL_UNPACK_SKIP_PIXELS, 0, false},
+                     {GL_UNPACK_SWAP_BYTES, 0, true}};
+
+enum { UNPACK_STATE_COUNT = sizeof unpack_states / sizeof unpack_states[0] };
+
+typedef struct unpack {
+    GLint values[UNPACK_STATE_COUNT];
+    GLint buffer;
+} unpack;
+
+static void set_unpack(const ew_gl *gl, int state, GLint value)
+{
+    if (!(gl->es && unpack_states[state].is_desktop)) gl->PixelStorei(unpack_states[state].name, value);
+}
+
+static void begin_unpack(const ew_gl *gl, unpack *saved)
+{
+    *saved = (unpack){.buffer = 0};
+    for (int i = 0; i < UNPACK_STATE_COUNT; ++i) {
+        if (!(gl->es && unpack_states[i].is_desktop)) gl->GetIntegerv(unpack_states[i].name, &saved->values[i]);
+        set_unpack(gl, i, unpack_states[i].value);
+    }
+    gl->GetIntegerv(GL_PIXEL_UNPACK_BUFFER_BINDING, &saved->buffer);
+    gl->BindBuffer(GL_PIXEL_UNPACK_BUFFER, 0);
+}
+
+static void end_unpack(const ew_gl *gl, const unpack *saved)
+{
+    for (int i = 0; i < UNPACK_STATE_COUNT; ++i)
+        set_unpack(gl, i, saved->values[i]);
+    if (saved->buffer != 0 && gl->IsBuffer((GLuint)saved->buffer))
+        gl->BindBuffer(GL_PIXEL_UNPACK_BUFFER, (GLuint)saved->buffer);
+}
+
+/* ---- The texture ---- */
+
+/* Fills the bound texture, row by row. It is made anew: the GPU may still be reading what the last frame left there. */
+static void fill(const ew_gl *gl, const ew_vec4 *units, size_t count)
+{
+    const GLsizei rows = (GLsizei)(count / EW_TEXTURE_WIDTH), rest = (GLsizei)(count % EW_TEXTURE_WIDTH);
+    gl->TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, EW_TEXTURE_WIDTH, rows + 1, 0, GL_RGBA, GL_FLOAT, NULL);
+    if (rows > 0) gl->TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, EW_TEXTURE_WIDTH, rows, GL_RGBA, GL_FLOAT, units);
+    const ew_vec4 *last = units + (size_t)rows * EW_TEXTURE_WIDTH;
+    if (rest > 0) gl->TexSubImage2D(GL_TEXTURE_2D, 0, 0, rows, rest, 1, GL_RGBA, GL_FLOAT, last);
+}
+
+void ew_source_texture_bind(ew_source_texture *texture, const ew_gl *gl, const ew_plan *plan)
+{
+    unpack saved;
+    if (!texture->name) gl->GenTextures(1, &texture->name);
+    gl->ActiveTexture(GL_TEXTURE0 + EW_GL_SOURCE_TEXTURE_UNIT);
+    gl->BindSampler(EW_GL_SOURCE_TEXTURE_UNIT, 0);
+    gl->BindTexture(GL_TEXTURE_2D, texture->name);
+    gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    begin_unpack(gl, &saved);
+    fill(gl, plan->source_data, plan->source_data_size / sizeof(ew_vec4));
+    end_unpack(gl, &saved);
+}
+
+void ew_source_texture_destroy(ew_source_texture *texture, const ew_gl *gl)
+{
+    gl->DeleteTextures(1, &texture->name);
+    *texture = (ew_source_texture){0};
+}
