@@ -540,8 +540,8 @@ EW_API ew_result ew_get_bounds(ew_effect *effect, const ew_frame_desc *frame, ew
 
 /* ---- Compiling ahead ---------------------------------------------------------------------------------------------------- */
 
-/* Which sources a shader can draw. A count from 0 to 4 is exact: for few sources, a shader for exactly that many is the
- * fastest. A larger count, such as EW_ANY_COUNT, stands for any number of sources, including none. */
+/* Which sources a shader can draw. A count of 0 or 1 is exact. A larger one, such as EW_ANY_COUNT, stands for any number of
+ * sources, including none. Where sources have reaches, ew_draw takes the shader for any number from one source on. */
 typedef struct ew_mix {
     size_t point_count;
     size_t line_count;
@@ -556,7 +556,7 @@ typedef struct ew_mix {
     int has_many;      /* 1: more sources than a uniform block takes: see EW_MAX_SOURCE_UNITS */
 } ew_mix;
 
-#define EW_ANY_COUNT 5
+#define EW_ANY_COUNT 2
 
 /* Compiles ahead of time, so that ew_draw need not wait: starts to compile the shader that draws `mix` as `frame` says, and
  * reports whether it is ready. Call it again, every frame or so, until it is.

@@ -59,7 +59,7 @@ void ew_copy_varyings()
 #endif
 #ifdef EW_SOURCE_VARYINGS
     for (int i = 0; i < EW_SOURCE_VARYINGS; ++i)
-        ew_sources[i] = ew_source_data[i];
+        ew_sources[i] = ew_source_unit(i);
 #endif
 }
 #else
@@ -102,15 +102,12 @@ int ew_simpson_divisions()
     return ew_frame.simpson.x;
 }
 
-// A member of source i of `count`. The first source has it at `start`, and each takes `size` vec4. No index into varyings
-// depends on i: the loops over sources are too long for compilers to unroll, and rasterisers that keep arrays in memory gather.
+// A member of source i of `count`. The first source has it at `start`, and each takes `size` vec4. There are varyings for the only source
+// of a kind, at places that are constant: rasterisers that keep arrays in memory gather from others.
 vec4 ew_source(int start, int size, int count, int i)
 {
 #ifdef EW_SOURCE_VARYINGS
-    return count < 2 || i == 0   ? ew_sources[start]
-           : count < 3 || i == 1 ? ew_sources[start + size]
-           : count < 4 || i == 2 ? ew_sources[start + 2 * size]
-                                 : ew_sources[start + 3 * size];
+    return ew_sources[start];
 #else
     return ew_source_unit(start + i * size);
 #endif

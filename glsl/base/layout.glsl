@@ -28,6 +28,7 @@ struct ew_frame_block {
 struct ew_grid_block {
     ivec4 viewport; // xy: its first pixel, zw: its size in pixels
     vec4 tolerance; // x: how much an interpolated pixel may be off, relative to its light or to y times the picture's largest
+    vec4 lit;       // the box of NDC that the sources can light, from xy to zw
     ivec4 tiles;    // x: columns of tiles, y: log2 of a tile's width in pixels (see list.glsl)
 };
 

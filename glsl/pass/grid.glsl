@@ -12,6 +12,8 @@ ivec2 ew_first_node(ivec2 patch_place, int stride)
 const float EW_SMOOTH = 1.0;
 const float EW_ROUGH = 0.5;
 const float EW_TORN = 0.0;
+// Patches that no source can light are not drawn, unless the target's values are replaced.
+const float EW_DARK = 0.25;
 
 // The field's value at a node that a source may slip by.
 const float EW_UNRESOLVED = 1e30;

@@ -13,7 +13,7 @@ bool ew_is_drawn(ivec2 place)
     return texelFetch(ew_cell_texture, place, 0).r == EW_SMOOTH && texelFetch(ew_block_texture, place / EW_BLOCK_CELLS, 0).r != EW_SMOOTH;
 #else
     float drawn_class = texelFetch(ew_cell_texture, place, 0).r;
-    return drawn_class != EW_SMOOTH && (drawn_class == EW_TORN) == ew_draws_torn;
+    return abs(drawn_class - (ew_draws_torn ? EW_TORN : EW_ROUGH)) < 0.1;
 #endif
 }
 

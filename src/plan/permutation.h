@@ -28,9 +28,9 @@ enum {
     EW_PERMUTATION_FLAG_COUNT = 17,
 };
 
-/* Above the flags stand the counts of sources by kind, each in a field of EW_PERMUTATION_COUNT_BITS: a count up to
- * EW_PERMUTATION_MAX_EXACT stands for itself, and EW_ANY_COUNT for any. */
-enum { EW_PERMUTATION_COUNT_BITS = 3, EW_PERMUTATION_MAX_EXACT = EW_ANY_COUNT - 1 };
+/* Above the flags stand the counts of sources by kind, each in a field of EW_PERMUTATION_COUNT_BITS: 0 and 1 stand for
+ * themselves, and EW_ANY_COUNT for any. */
+enum { EW_PERMUTATION_COUNT_BITS = 2 };
 
 /* Where the shader reads the opaque scene's depth from. */
 typedef enum ew_depth_kind { EW_DEPTH_KIND_NONE, EW_DEPTH_KIND_SINGLE, EW_DEPTH_KIND_MULTISAMPLE } ew_depth_kind;

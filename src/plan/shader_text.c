@@ -247,7 +247,8 @@ unsigned ew_permutation_of_pass(ew_pass pass, unsigned key)
     case EW_PASS_PEAK:
         return 0;
     case EW_PASS_CLASSES:
-        return key & (EW_PERMUTATION_DEPTH | EW_PERMUTATION_DEPTH_MULTISAMPLE | EW_PERMUTATION_WORLD);
+        return key & (EW_PERMUTATION_DEPTH | EW_PERMUTATION_DEPTH_MULTISAMPLE | EW_PERMUTATION_WORLD | EW_PERMUTATION_LISTS |
+                      EW_PERMUTATION_LUMINANCE);
     case EW_PASS_INTERPOLATION:
         return key & target;
     default:
@@ -269,6 +270,7 @@ void ew_write_vertex_shader(ew_shader_text *text, const ew_dialect *dialect, ew_
     start_stage(text, dialect, pass, key);
     add(text, "#define EW_VERTEX_STAGE\n");
     if (pass == EW_PASS_INTERPOLATION) add(text, "#define EW_INTERPOLATED\n");
+    if (pass == EW_PASS_WAVE) add(text, "#define EW_LIT_QUAD\n");
     add_file(text, ew_glsl_layout_glsl);
     add_file(text, ew_glsl_blocks_glsl);
     if (draws_patches(pass)) add_file(text, ew_glsl_grid_glsl);
@@ -334,6 +336,7 @@ void ew_write_fragment_shader(ew_shader_text *text, const ew_dialect *dialect, e
     add_file(text, ew_glsl_grid_glsl);
     if (pass == EW_PASS_CLASSES) {
         add_file(text, ew_glsl_edge_glsl);
+        if (key & EW_PERMUTATION_LISTS) add_file(text, ew_glsl_list_glsl);
         add_file(text, ew_glsl_classify_frag);
         return;
     }

@@ -71,6 +71,11 @@ void ew_destroy_tile_lists(ew_tile_lists *lists, const ew_allocator *allocator)
 
 /* ---- Pairs ---- */
 
+/* Columns and rows of tiles, the last ones not among them. */
+typedef struct tile_box {
+    int first[2], end[2];
+} tile_box;
+
 /* A source that looks for its tiles. */
 typedef struct search {
     ew_tile_lists *lists;
@@ -78,17 +83,13 @@ typedef struct search {
     ew_ray_field rays;
     const ew_view *view;
     const ew_interval *depths;
-    const ew_lit_source *lit;
+    const ew_lit_source *source;
     uint32_t number; /* of the source, from 1 on */
     int kind;
     size_t most;  /* entries */
+    tile_box lit; /* by all sources */
     bool is_over; /* no memory, or too many entries */
 } search;
-
-/* Columns and rows of tiles, the last ones not among them. */
-typedef struct tile_box {
-    int first[2], end[2];
-} tile_box;
 
 static size_t row_count(const ew_tile_lists *lists)
 {
@@ -104,7 +105,12 @@ static void add(search *s, const int tile[2])
     lists->last_sources[row] = s->number;
     s->is_over = s->is_over || row_count(lists) + 1 + lists->pair_count == s->most ||
                  !reserve_pairs(lists, lists->pair_count + 1, s->allocator);
-    if (!s->is_over) lists->pairs[lists->pair_count++] = (struct ew_tile_pair){row, (uint32_t)s->lit->index};
+    if (s->is_over) return;
+    lists->pairs[lists->pair_count++] = (struct ew_tile_pair){row, (uint32_t)s->source->index};
+    for (int axis = 0; axis < 2; ++axis) {
+        s->lit.first[axis] = tile[axis] < s->lit.first[axis] ? tile[axis] : s->lit.first[axis];
+        s->lit.end[axis] = tile[axis] >= s->lit.end[axis] ? tile[axis] + 1 : s->lit.end[axis];
+    }
 }
 
 static ew_cone cone_of(const search *s, const tile_box *box)
@@ -122,7 +128,7 @@ static ew_cone cone_of(const search *s, const tile_box *box)
 static void add_box(search *s, const ew_hull *seen, const tile_box *box)
 {
     const ew_cone cone = cone_of(s, box);
-    if (s->is_over || !ew_cone_meets(&cone, seen, s->lit->reach)) return;
+    if (s->is_over || !ew_cone_meets(&cone, seen, s->source->reach)) return;
     const int width = box->end[0] - box->first[0], height = box->end[1] - box->first[1], axis = height > width;
     if (width * height == 1) {
         add(s, box->first);
@@ -148,7 +154,7 @@ static void add_hull(search *s, const ew_hull *hull)
     const ew_hull seen = ew_see_hull(hull, s->view);
     ew_silhouette silhouette;
     tile_box box;
-    if (!ew_find_silhouette(&seen, s->lit->reach, s->view, s->depths, &silhouette)) return;
+    if (!ew_find_silhouette(&seen, s->source->reach, s->view, s->depths, &silhouette)) return;
     find_tiles(silhouette.low[0], silhouette.high[0], s->lists->columns, &box.first[0], &box.end[0]);
     find_tiles(silhouette.low[1], silhouette.high[1], s->lists->rows, &box.first[1], &box.end[1]);
     if (box.first[0] < box.end[0] && box.first[1] < box.end[1]) add_box(s, &seen, &box);
@@ -163,12 +169,12 @@ static void add_all(search *s)
 
 static void add_source(search *s)
 {
-    const size_t hulls = s->lit->reach > 0 ? ew_count_hulls(s->lit) : 0;
+    const size_t hulls = s->source->reach > 0 ? ew_count_hulls(s->source) : 0;
     for (size_t i = 0; i < hulls && !s->is_over; ++i) {
-        const ew_hull hull = ew_hull_of_source(s->lit, i);
+        const ew_hull hull = ew_hull_of_source(s->source, i);
         add_hull(s, &hull);
     }
-    if (s->lit->reach == 0) add_all(s);
+    if (s->source->reach == 0) add_all(s);
 }
 
 /* Finds all pairs. Returns false if there is no memory, or if there are too many: then EW_MAX_LIST_ENTRIES are taken. */
@@ -180,9 +186,10 @@ static bool find_pairs(search *s, const ew_sources *sources)
     memset(lists->last_sources, 0, row_count(lists) * sizeof *lists->last_sources);
     s->number = 0;
     s->is_over = false;
+    s->lit = (tile_box){{lists->columns, lists->rows}, {0, 0}};
     for (s->kind = 0; s->kind < EW_KIND_COUNT; ++s->kind)
         for (size_t i = 0; i < sources->counts[s->kind] && !s->is_over; ++i) {
-            s->lit = &sources->lit[s->number++];
+            s->source = &sources->lit[s->number++];
             add_source(s);
         }
     return !s->is_over;
@@ -221,6 +228,17 @@ static bool fill_entries(ew_tile_lists *lists, const ew_allocator *allocator)
 }
 
 /* ---- All of it ---- */
+
+static void find_lit_box(ew_tile_lists *lists, const tile_box *lit, const ew_viewport *viewport)
+{
+    const int sizes[2] = {viewport->width, viewport->height};
+    for (int axis = 0; axis < 2; ++axis) {
+        const double tile = 2.0 * (1 << lists->size_log2) / sizes[axis], first = -1 - 2.0 * MARGIN / sizes[axis];
+        const bool is_dark = lit->first[axis] >= lit->end[axis];
+        lists->lit_low[axis] = is_dark ? -1 : fmin(fmax(first + lit->first[axis] * tile, -1), 1);
+        lists->lit_high[axis] = is_dark ? -1 : fmin(fmax(first + lit->end[axis] * tile, -1), 1);
+    }
+}
 
 /* The view whose NDC run from -1 to 1 over all tiles. */
 static void see_tiles(const ew_view *view, const ew_viewport *viewport, const ew_tile_lists *lists, double projection[16])
@@ -261,7 +279,10 @@ ew_result ew_make_tile_lists(ew_tile_lists *lists, const ew_sources *sources, co
                     .view = &wide,
                     .depths = depths,
                     .most = most};
-        if (find_pairs(&s, sources) && fill_entries(lists, allocator)) return EW_OK;
+        if (find_pairs(&s, sources) && fill_entries(lists, allocator)) {
+            find_lit_box(lists, &s.lit, viewport);
+            return EW_OK;
+        }
         if (row_count(lists) + 1 + lists->pair_count < most)
             return ew_fail(error, EW_ERROR_OUT_OF_MEMORY, "no memory for the lists of %zu sources", sources->lit_count);
     }

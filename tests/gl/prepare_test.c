@@ -182,7 +182,6 @@ static void a_shader_that_lacks_something_is_not_used(void **state)
     (void)state;
     expect_to_compile_beside(&(ew_mix){.line_count = EW_ANY_COUNT}, 2, 0, false);
     expect_to_compile_beside(&(ew_mix){.point_count = 1}, 2, 0, false);
-    expect_to_compile_beside(&(ew_mix){.point_count = 3}, 2, 0, false);
     expect_to_compile_beside(&(ew_mix){.curve_count = EW_ANY_COUNT}, 0, 1, true);
 }
 
@@ -239,8 +238,8 @@ static void nothing_waits_for_a_compiler_that_is_at_work(void **state)
         assert_false(prepare(effect, &general, &frame));
     assert_true(prepare(effect, &general, &frame));
 
-    /* While the shader for two points is under way, the general one draws. */
-    set_field(effect, &f, 2, 0, 0, 0, false);
+    /* While the shader for one point is under way, the general one draws. */
+    set_field(effect, &f, 1, 0, 0, 0, false);
     for (int i = 0; i < COMPILE_AND_LINK; i++)
         assert_false(prepare(effect, NULL, &frame));
     draw(effect, &frame, &expected);

@@ -128,8 +128,11 @@ static void write_integrals(const shader_profile *profile, unsigned kinds, size_
         if (key & EW_PERMUTATION_JOINTS && !(key & EW_PERMUTATION_BENDS) && kind_count(kinds) > 1) continue;
         if (key & EW_PERMUTATION_WEIGHTS && !takes_weights(kinds)) continue;
         if (key & EW_PERMUTATION_JOINTS && !takes_bends(kinds)) continue;
-        for (int field = 0; field < FIELD_COUNT; ++field)
-            write_permutation(profile, with_kinds(key | fields[field], kinds, first_count));
+        for (int field = 0; field < FIELD_COUNT; ++field) {
+            unsigned exact = with_kinds(key | fields[field], kinds, first_count);
+            bool has_lists = first_count == EW_ANY_COUNT && !(key & EW_PERMUTATION_SIMPSON);
+            write_permutation(profile, has_lists ? ew_permutation_with_lists(exact) : exact);
+        }
     }
 }
 
@@ -173,8 +176,10 @@ static void write_passes(const shader_profile *profile)
                 write_fragment_shader(profile, key);
                 write_grid_passes(profile, key);
                 key |= EW_PERMUTATION_WEIGHTS | EW_PERMUTATION_JOINTS | EW_PERMUTATION_BENDS | EW_PERMUTATION_CORE_PIXELS;
-                write_fragment_shader(profile, with_kinds(key, all_kinds, EW_ANY_COUNT));
-                write_grid_passes(profile, with_kinds(key, all_kinds, EW_ANY_COUNT));
+                unsigned general = ew_permutation_with_lists(with_kinds(key, all_kinds, EW_ANY_COUNT));
+                write_fragment_shader(profile, general);
+                write_grid_passes(profile, general);
+                if (outputs[output] == 0) write_grid_passes(profile, general | EW_PERMUTATION_SOURCE_TEXTURE);
                 write_fragment_shader(profile, with_kinds(key | EW_PERMUTATION_SIMPSON, all_kinds, 1));
             }
 }
@@ -210,8 +215,8 @@ static void write_includes(const shader_profile *profile)
             unsigned flags = simpson | fields[field];
             write_include(profile, flags);
             for (int kind = 0; kind < EW_KIND_COUNT; ++kind) {
-                write_include(profile, ew_permutation_with_count(flags, kind, (size_t)kind % 4 + 1));
-                if (!simpson) write_grid_passes(profile, ew_permutation_with_count(flags, kind, (size_t)kind % 4 + 1));
+                write_include(profile, ew_permutation_with_count(flags, kind, (size_t)kind % 2 + 1));
+                if (!simpson) write_grid_passes(profile, ew_permutation_with_count(flags, kind, (size_t)kind % 2 + 1));
             }
             write_include(profile, with_kinds(flags | extras, all_kinds, EW_ANY_COUNT));
         }
@@ -228,10 +233,10 @@ int main(int argc, char **argv)
      * sources fit between the stages, or not even a curve; the profiles' least versions; hardware and software. */
     size_t smallest = ew_sources_capacity(16384), largest = ew_sources_capacity(65536);
     const shader_profile profiles[] = {
-        {"330", {false, false, 0, largest}, "#version 330\n"},
-        {"330-software", {false, true, 31, largest}, NULL},
-        {"300es-software", {true, true, 16, smallest}, NULL},
-        {"300es", {true, false, 16, smallest}, "#version 300 es\n"},
+        {"330", {false, false, 0, largest, 4096}, "#version 330\n"},
+        {"330-software", {false, true, 31, largest, 4096}, NULL},
+        {"300es-software", {true, true, 16, smallest, 1024}, NULL},
+        {"300es", {true, false, 16, smallest, 1024}, "#version 300 es\n"},
     };
     for (size_t i = 0; i < sizeof profiles / sizeof profiles[0]; ++i) {
         write_all_integrals(&profiles[i]);

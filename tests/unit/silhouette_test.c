@@ -2,11 +2,10 @@
  * are seen are within the bounds, and the bounds are little larger than they must be. */
 #include "base/allocator.h"
 #include "check.h"
+#include "lit_scene.h"
 #include "plan/plan.h"
-#include "random_numbers.h"
-#include "source_kinds.h"
 
-enum { SIZE = 1000, SCENES = 60, PLACES = 20000 };
+enum { SIZE = LIT_SCENE_SIZE, SCENES = 60, PLACES = 20000 };
 
 static ew_bounds bounds_of(const ew_sources_desc *desc, const ew_frame_desc *frame)
 {
@@ -25,130 +24,6 @@ static double area(const ew_bounds *bounds)
     return (double)bounds->width * bounds->height;
 }
 
-/* ---- Views -------------------------------------------------------------------------------------------------------------- */
-
-/* From (0, 0, 0) along -z; half of the picture is as wide and as high as what is seen is deep. */
-static ew_frame_desc plain_frame(void)
-{
-    ew_frame_desc frame = EW_FRAME_DEFAULTS;
-    const double projection[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1.001, -1, 0, 0, -0.02, 0};
-    memcpy(frame.projection, projection, sizeof projection);
-    frame.viewport_width = frame.viewport_height = SIZE;
-    return frame;
-}
-
-static void make_parallel(ew_frame_desc *frame, double half_size)
-{
-    double *p = frame->projection;
-    p[0] /= half_size;
-    p[4] /= half_size;
-    p[5] /= half_size;
-    p[10] = -0.01; /* near -100 and far 100 */
-    p[11] = p[14] = 0;
-    p[15] = 1;
-}
-
-/* Perspective or parallel; off-axis, sheared, or with an apex beside the eye; with or without an interval. The axes are the
- * world's of the view. */
-static ew_frame_desc random_frame(uint64_t *random, double axes[3][3], const double eye[3])
-{
-    ew_frame_desc frame = plain_frame();
-    double a = random_between(random, -3, 3), b = random_between(random, -3, 3);
-    const double turned[3][3] = {
-        {cos(a), 0, sin(a)}, {sin(a) * sin(b), cos(b), -cos(a) * sin(b)}, {-sin(a) * cos(b), sin(b), cos(a) * cos(b)}};
-    memcpy(axes, turned, sizeof turned);
-    for (int row = 0; row < 3; ++row) {
-        frame.view[12 + row] = 0;
-        for (int column = 0; column < 3; ++column) {
-            frame.view[4 * column + row] = axes[row][column];
-            frame.view[12 + row] -= axes[row][column] * eye[column];
-        }
-    }
-    bool is_oblique = random_chance(random, 0.5);
-    const int oblique[] = {1, 4, 8, 9, 12, 13};
-    for (int i = 0; is_oblique && i < 6; ++i)
-        frame.projection[oblique[i]] = random_between(random, -0.5, 0.5);
-    if (random_chance(random, 0.3)) make_parallel(&frame, random_between(random, 1, 4));
-    if (random_chance(random, 0.5)) {
-        frame.interval_start = random_between(random, 0.1, 3);
-        frame.interval_end = frame.interval_start + random_between(random, 0.5, 6);
-    }
-    return frame;
-}
-
-/* NDC and view depth of a place of the world. Returns false where none is seen. */
-static bool project(const ew_frame_desc *frame, const double world[3], double seen[3])
-{
-    double view[4] = {0, 0, 0, 1}, clip[4] = {0};
-    bool is_parallel = frame->projection[11] == 0, has_interval = frame->interval_end > 0;
-    for (int row = 0; row < 3; ++row) {
-        view[row] = frame->view[12 + row];
-        for (int column = 0; column < 3; ++column)
-            view[row] += frame->view[4 * column + row] * world[column];
-    }
-    for (int row = 0; row < 4; ++row)
-        for (int column = 0; column < 4; ++column)
-            clip[row] += frame->projection[4 * column + row] * view[column];
-    seen[0] = clip[0] / clip[3];
-    seen[1] = clip[1] / clip[3];
-    seen[2] = -view[2];
-    if (has_interval) return seen[2] >= frame->interval_start && seen[2] <= frame->interval_end;
-    return seen[2] > (is_parallel ? -100 : 0);
-}
-
-/* ---- Random scenes ------------------------------------------------------------------------------------------------------ */
-
-typedef union any_source {
-    ew_point point;
-    ew_line line;
-    ew_torus torus;
-    ew_curve curve;
-    ew_path path;
-} any_source;
-
-typedef struct scene {
-    ew_frame_desc frame;
-    ew_sources_desc desc;
-    any_source source;
-    double points[MAX_RANDOM_POINTS][3];
-    source_view view;
-    double reach;
-} scene;
-
-/* A source about the view's axis, before, beside and behind the eye. */
-static void make_scene(scene *made, const source_kind *kind, uint64_t *random)
-{
-    *made = (scene){.reach = random_between(random, 0.05, 1.5), .desc.epsilon = 1e-3};
-    random_place place = {.random = random, .start = -3, .end = 6, .slope = {0.3, 0.3}, .size = {2, 2}};
-    for (int i = 0; i < 3; ++i)
-        place.eye[i] = random_between(random, -100, 100);
-    made->frame = random_frame(random, place.axes, place.eye);
-    kind->make(&place, &made->source, NULL, made->points);
-    source_light light = {.coefficient = 1, .core = 0.04, .reach = made->reach};
-    memcpy((char *)&made->source + kind->light_offset, &light, sizeof light);
-    set_source_list(kind, &made->desc, &made->source);
-    set_source_count(kind, &made->desc, 1);
-    for (int i = 0; i < 3; ++i)
-        made->view.middle[i] = place.eye[i] - place.axes[2][i];
-}
-
-/* A place at the edge of a source's light, which has no end on infinite lines. */
-static void lit_place(scene *of, const source_kind *kind, uint64_t *random, double place[3])
-{
-    double away[3], length = 0;
-    of->view.length = pow(10, random_between(random, 0, 3));
-    kind->place(&of->source, &of->view, random_unit(random), place);
-    do {
-        length = 0;
-        for (int i = 0; i < 3; ++i) {
-            away[i] = random_between(random, -1, 1);
-            length += away[i] * away[i];
-        }
-    } while (length > 1 || length < 1e-4);
-    for (int i = 0; i < 3; ++i)
-        place[i] += 0.999 * of->reach * away[i] / sqrt(length);
-}
-
 static bool is_in_viewport(const double seen[3])
 {
     return fabs(seen[0]) < 1 && fabs(seen[1]) < 1;
@@ -161,13 +36,13 @@ static void no_lit_place_is_outside(void **state)
     for (int k = 0; k < SOURCE_KIND_COUNT; ++k) {
         const source_kind *kind = source_kinds[k];
         for (int number = 0, visible = 0; number < SCENES; ++number) {
-            scene made;
-            make_scene(&made, kind, &random);
+            lit_scene made;
+            lit_scene_make(&made, kind, &random);
             const ew_bounds bounds = bounds_of(&made.desc, &made.frame);
             for (int i = 0; i < PLACES; ++i) {
                 double place[3], seen[3];
-                lit_place(&made, kind, &random, place);
-                if (!project(&made.frame, place, seen) || !is_in_viewport(seen)) continue;
+                lit_scene_place(&made, kind, &random, place);
+                if (!lit_scene_project(&made.frame, place, seen) || !is_in_viewport(seen)) continue;
                 double x = (0.5 * seen[0] + 0.5) * SIZE, y = (0.5 * seen[1] + 0.5) * SIZE;
                 ++visible;
                 if (x < bounds.x || x > bounds.x + bounds.width || y < bounds.y || y > bounds.y + bounds.height ||
@@ -185,13 +60,13 @@ static void no_lit_place_is_outside(void **state)
 
 /* The area around all lit places that are seen. A line's are looked for in the viewport; of others the viewport cuts each axis
  * regardless of the other one. */
-static double sampled_area(scene *made, const source_kind *kind, uint64_t *random)
+static double sampled_area(lit_scene *made, const source_kind *kind, uint64_t *random)
 {
     double low[2] = {1, 1}, high[2] = {-1, -1};
     for (int i = 0; i < PLACES; ++i) {
         double place[3], seen[3];
-        lit_place(made, kind, random, place);
-        if (!project(&made->frame, place, seen) || (kind->is_endless && !is_in_viewport(seen))) continue;
+        lit_scene_place(made, kind, random, place);
+        if (!lit_scene_project(&made->frame, place, seen) || (kind->is_endless && !is_in_viewport(seen))) continue;
         for (int axis = 0; axis < 2; ++axis) {
             low[axis] = fmax(fmin(low[axis], seen[axis]), -1);
             high[axis] = fmin(fmax(high[axis], seen[axis]), 1);
@@ -208,8 +83,8 @@ static void rectangles_are_little_larger_than_the_light(void **state)
         uint64_t random = 2;
         double found = 0, sampled = 0;
         for (int number = 0; number < SCENES; ++number) {
-            scene made;
-            make_scene(&made, source_kinds[k], &random);
+            lit_scene made;
+            lit_scene_make(&made, source_kinds[k], &random);
             const ew_bounds bounds = bounds_of(&made.desc, &made.frame);
             found += area(&bounds);
             sampled += sampled_area(&made, source_kinds[k], &random);
@@ -228,7 +103,7 @@ static ew_point make_orb(double x, double y, double z, double reach)
 static void a_ball_across_the_eyes_plane_ends_at_its_tangent(void **state)
 {
     (void)state;
-    const ew_frame_desc frame = plain_frame();
+    const ew_frame_desc frame = lit_scene_plain_frame();
     for (double z = -1.4; z < 1; z += 0.4) {
         const ew_point orb = make_orb(1.5, 0, z, 1);
         const ew_bounds bounds = bounds_of(&(ew_sources_desc){.points = &orb, .point_count = 1}, &frame);
@@ -241,7 +116,7 @@ static void a_ball_across_the_eyes_plane_ends_at_its_tangent(void **state)
 static void light_beside_the_eye_off_screen_has_no_rectangle(void **state)
 {
     (void)state;
-    const ew_frame_desc frame = plain_frame();
+    const ew_frame_desc frame = lit_scene_plain_frame();
     const ew_point orbs[] = {make_orb(6, 0, 0, 2), make_orb(-6, 0, -0.5, 2), make_orb(0, 6, 0.5, 2), make_orb(0, -6, 0, 2)};
     const ew_line lines[] = {
         {.position = {0, 12, -5}, .direction = {1, 0, 0}, .coefficient = 1, .core = 1e-3, .reach = 2},
@@ -263,14 +138,14 @@ static void light_beside_the_eye_off_screen_has_no_rectangle(void **state)
 static void a_line_along_the_view_is_not_everywhere(void **state)
 {
     (void)state;
-    ew_frame_desc frame = plain_frame();
+    ew_frame_desc frame = lit_scene_plain_frame();
     const ew_line line = {.position = {3, 0, 0}, .direction = {0, 0, 1}, .coefficient = 1, .core = 1e-3, .reach = 1};
     const ew_sources_desc desc = {.lines = &line, .line_count = 1};
     ew_bounds bounds = bounds_of(&desc, &frame);
     assert_int_equal(bounds.x, SIZE / 2);
     assert_int_equal(bounds.width, SIZE / 2);
     assert_true(bounds.height >= SIZE / sqrt(8) && bounds.height <= SIZE / sqrt(8) + 2);
-    make_parallel(&frame, 8);
+    lit_scene_make_parallel(&frame, 8);
     bounds = bounds_of(&desc, &frame);
     assert_int_equal(bounds.x, SIZE * 5 / 8);
     assert_int_equal(bounds.width, SIZE / 8);
@@ -282,7 +157,7 @@ static void a_world_frame_needs_reaches(void **state)
     (void)state;
     const ew_point orbs[] = {make_orb(0, 0, -5, 1), make_orb(0, 0, -5, 1), make_orb(0, 0, -5, 0)};
     const ew_line line = {.direction = {1, 0, 0}, .coefficient = 1, .core = 1e-3, .reach = 1};
-    const ew_frame_desc frame = plain_frame();
+    const ew_frame_desc frame = lit_scene_plain_frame();
     ew_sources sources = {0};
     ew_plan plan;
     ew_bounds bounds = {.x = -7};

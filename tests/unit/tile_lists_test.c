@@ -1,0 +1,242 @@
+/* Lists of sources by tile against places that sources light: where a place is seen, its source is in the list. */
+#include "base/allocator.h"
+#include "check.h"
+#include "lit_scene.h"
+#include "plan/plan.h"
+
+#include <stdlib.h>
+
+enum { SIZE = LIT_SCENE_SIZE, SCENES = 40, PLACES = 10000, MOST = 32768, MARGIN = EW_NODE_MARGIN * EW_CELL_SIZE };
+
+/* The plan of a frame with lists of at most `most` entries, which belong to the caller, like the sources. */
+static ew_plan plan_of(const ew_sources_desc *desc, const ew_frame_desc *frame, size_t most, ew_sources *sources,
+                       ew_tile_lists *lists)
+{
+    ew_plan plan;
+    ew_error error = {EW_OK, ""};
+    if (ew_sources_set(sources, desc, &ew_default_allocator, &error) != EW_OK ||
+        ew_plan_frame(&plan, sources, NULL, frame, &error) != EW_OK ||
+        ew_plan_lists(&plan, lists, sources, frame, most, &ew_default_allocator, &error) != EW_OK)
+        fail_msg("%s", error.text);
+    return plan;
+}
+
+static void release(ew_sources *sources, ew_tile_lists *lists)
+{
+    ew_sources_destroy(sources, &ew_default_allocator);
+    ew_destroy_tile_lists(lists, &ew_default_allocator);
+}
+
+/* As glsl/light/list.glsl does. */
+static size_t entry(const ew_tile_lists *lists, size_t i)
+{
+    return lists->words[i / 2] >> 16 * (i % 2) & 0xffff;
+}
+
+static size_t first_row(const ew_plan *plan, double x, double y)
+{
+    const ew_ivec4 *tiles = &plan->uniforms.grid.tiles;
+    int column = ((int)floor(x) + MARGIN) >> tiles->y, row = ((int)floor(y) + MARGIN) >> tiles->y;
+    return (size_t)(row * tiles->x + column) * EW_KIND_COUNT;
+}
+
+static bool is_listed(const ew_plan *plan, size_t row, int kind, size_t place)
+{
+    const ew_tile_lists *lists = plan->lists;
+    for (size_t i = entry(lists, row + (size_t)kind); i < entry(lists, row + (size_t)kind + 1); ++i)
+        if (entry(lists, i) == place) return true;
+    return false;
+}
+
+/* How many tiles list some source. */
+static size_t count_lit_tiles(const ew_tile_lists *lists)
+{
+    size_t count = 0, rows = (size_t)(lists->columns * lists->rows) * EW_KIND_COUNT;
+    for (size_t row = 0; row < rows; row += EW_KIND_COUNT)
+        count += entry(lists, row) < entry(lists, row + EW_KIND_COUNT);
+    return count;
+}
+
+static bool is_in_viewport(const double seen[3])
+{
+    return fabs(seen[0]) < 1 && fabs(seen[1]) < 1;
+}
+
+/* In the viewport, and as far around it as nodes lie. */
+static void what_lights_a_place_is_in_the_list_of_its_tile(void **state)
+{
+    uint64_t random = 3;
+    (void)state;
+    for (int k = 0; k < SOURCE_KIND_COUNT; ++k) {
+        const source_kind *kind = source_kinds[k];
+        int visible = 0;
+        for (int number = 0; number < SCENES; ++number) {
+            lit_scene made;
+            lit_scene_make(&made, kind, &random);
+            made.frame.core_pixels = 0; /* or light pales far away */
+            ew_sources sources = {0};
+            ew_tile_lists lists = {0};
+            const ew_plan plan = plan_of(&made.desc, &made.frame, MOST, &sources, &lists);
+            for (int i = 0; i < PLACES; ++i) {
+                double place[3], seen[3];
+                lit_scene_place(&made, kind, &random, place);
+                if (!lit_scene_project(&made.frame, place, seen)) continue;
+                double x = (0.5 * seen[0] + 0.5) * SIZE, y = (0.5 * seen[1] + 0.5) * SIZE;
+                if (!(x >= -MARGIN && x < SIZE + MARGIN && y >= -MARGIN && y < SIZE + MARGIN)) continue;
+                ++visible;
+                if (!is_listed(&plan, first_row(&plan, x, y), k, 0))
+                    fail_msg("%s, scene %d: (%g, %g) is lit at depth %g of %g to %g", kind->name, number, x, y, seen[2], plan.depths.start, plan.depths.end);
+                const float here[2] = {(float)seen[0], (float)seen[1]};
+                const ew_vec4 lit = plan.uniforms.grid.lit;
+                if (is_in_viewport(seen) && (here[0] < lit.x || here[0] > lit.z || here[1] < lit.y || here[1] > lit.w))
+                    fail_msg("%s, scene %d: (%g, %g) is lit, outside of the box", kind->name, number, seen[0], seen[1]);
+            }
+            release(&sources, &lists);
+        }
+        assert_true(visible > SCENES * PLACES / 20);
+    }
+}
+
+/* A beam from corner to corner lights a band. Its rectangle is the whole viewport. */
+static void a_slanted_beam_is_not_listed_in_all_of_its_rectangle(void **state)
+{
+    (void)state;
+    const double ends[2][3] = {{-5, -5, -5}, {5, 5, -5}};
+    const ew_path beam = {.points = ends, .point_count = 2, .coefficient = 1, .core = 1e-3, .reach = 0.1};
+    const ew_sources_desc desc = {.paths = &beam, .path_count = 1, .epsilon = 1};
+    const ew_frame_desc frame = lit_scene_plain_frame();
+    ew_sources sources = {0};
+    ew_tile_lists lists = {0};
+    plan_of(&desc, &frame, MOST, &sources, &lists);
+    /* 1000 / 32 tiles on the diagonal; on average the band, 28 pixels wide, meets three of each column or fewer. */
+    assert_in_range(count_lit_tiles(&lists), 32, 4 * 32);
+    release(&sources, &lists);
+}
+
+static void light_behind_the_eye_is_in_no_list(void **state)
+{
+    (void)state;
+    const ew_point orbs[] = {{.position = {0, 0, 3}, .coefficient = 1, .core = 1e-3, .reach = 1},
+                             {.position = {30, 0, -5}, .coefficient = 1, .core = 1e-3, .reach = 1}};
+    const ew_sources_desc desc = {.points = orbs, .point_count = 2, .epsilon = 1};
+    const ew_frame_desc frame = lit_scene_plain_frame();
+    ew_sources sources = {0};
+    ew_tile_lists lists = {0};
+    const ew_plan plan = plan_of(&desc, &frame, MOST, &sources, &lists);
+    assert_int_equal(count_lit_tiles(&lists), 0);
+    assert_true(plan.uniforms.grid.lit.x == plan.uniforms.grid.lit.z);
+    release(&sources, &lists);
+}
+
+static void lists_keep_the_order_of_the_sources(void **state)
+{
+    (void)state;
+    ew_point orbs[40];
+    ew_line lines[2];
+    for (int i = 0; i < 40; ++i)
+        orbs[i] = (ew_point){.position = {0.1 * i - 2, 0, -5}, .coefficient = 1, .core = 1e-3, .reach = 1};
+    for (int i = 0; i < 2; ++i)
+        lines[i] = (ew_line){.position = {0, 0, -5}, .direction = {1, i, 0}, .coefficient = 1, .core = 1e-3, .reach = 1};
+    const ew_sources_desc desc = {.points = orbs, .point_count = 40, .lines = lines, .line_count = 2, .epsilon = 1};
+    const ew_frame_desc frame = lit_scene_plain_frame();
+    ew_sources sources = {0};
+    ew_tile_lists lists = {0};
+    const ew_plan plan = plan_of(&desc, &frame, MOST, &sources, &lists);
+    const size_t row = first_row(&plan, SIZE / 2, SIZE / 2), first = entry(&lists, row), end = entry(&lists, row + 1);
+    assert_in_range(end - first, 10, 39);
+    for (size_t i = first + 1; i < end; ++i)
+        assert_int_equal(entry(&lists, i), entry(&lists, i - 1) + 1);
+    assert_int_equal(entry(&lists, row + 2) - end, 2);
+    assert_int_equal(entry(&lists, end), 0);
+    assert_int_equal(entry(&lists, end + 1), 1);
+    release(&sources, &lists);
+}
+
+/* Down to a tile for all, and then none. */
+static void tiles_are_wider_where_there_is_less_room(void **state)
+{
+    (void)state;
+    ew_point orbs[100];
+    for (int i = 0; i < 100; ++i)
+        orbs[i] = (ew_point){.position = {0.1 * (i % 10), 0.1 * (i / 10), -5}, .coefficient = 1, .core = 1e-3, .reach = 3};
+    const ew_sources_desc desc = {.points = orbs, .point_count = 100, .epsilon = 1};
+    const ew_frame_desc frame = lit_scene_plain_frame();
+    ew_sources sources = {0};
+    ew_tile_lists lists = {0};
+    int previous = 0;
+    const size_t rooms[] = {1 << 20, 32768, 8192, 2048, EW_KIND_COUNT + 1 + 100};
+    for (int i = 0; i < 5; ++i) {
+        const ew_plan plan = plan_of(&desc, &frame, rooms[i], &sources, &lists);
+        assert_in_range(lists.entry_count, 1, rooms[i]);
+        assert_true(lists.size_log2 >= previous);
+        previous = lists.size_log2;
+        assert_true(is_listed(&plan, first_row(&plan, SIZE / 2, SIZE / 2), 0, 0));
+        assert_true(plan.permutation & EW_PERMUTATION_LISTS);
+    }
+    assert_int_equal(lists.columns * lists.rows, 1);
+    const ew_plan plan = plan_of(&desc, &frame, EW_KIND_COUNT + 100, &sources, &lists);
+    assert_false(plan.permutation & EW_PERMUTATION_LISTS);
+    assert_null(plan.lists);
+    release(&sources, &lists);
+}
+
+/* An allocator that grants so many blocks. */
+typedef struct few_blocks {
+    int allowed, held;
+    bool has_refused;
+} few_blocks;
+
+static void *allocate_few(void *user, size_t size)
+{
+    few_blocks *few = user;
+    few->has_refused = few->has_refused || few->allowed == 0;
+    if (few->allowed == 0) return NULL;
+    few->allowed--;
+    few->held++;
+    return malloc(size);
+}
+
+static void deallocate_few(void *user, void *memory)
+{
+    ((few_blocks *)user)->held--;
+    free(memory);
+}
+
+static void memory_that_is_exhausted_is_an_error(void **state)
+{
+    (void)state;
+    const ew_point orb = {.position = {0, 0, -5}, .coefficient = 1, .core = 1e-3, .reach = 1};
+    const ew_sources_desc desc = {.points = &orb, .point_count = 1, .epsilon = 1};
+    const ew_frame_desc frame = lit_scene_plain_frame();
+    ew_sources sources = {0};
+    ew_plan plan;
+    ew_error error;
+    assert_int_equal(ew_sources_set(&sources, &desc, &ew_default_allocator, NULL), EW_OK);
+    for (int allowed = 0; allowed < 4; ++allowed) {
+        ew_tile_lists lists = {0};
+        few_blocks few = {.allowed = allowed};
+        const ew_allocator allocator = {allocate_few, deallocate_few, &few};
+        assert_int_equal(ew_plan_frame(&plan, &sources, NULL, &frame, NULL), EW_OK);
+        ew_result result = ew_plan_lists(&plan, &lists, &sources, &frame, MOST, &allocator, &error);
+        if (few.has_refused)
+            check_refused(result, &error, EW_ERROR_OUT_OF_MEMORY, "no memory");
+        else
+            assert_int_equal(result, EW_OK);
+        ew_destroy_tile_lists(&lists, &allocator);
+        assert_int_equal(few.held, 0);
+    }
+    ew_sources_destroy(&sources, &ew_default_allocator);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(what_lights_a_place_is_in_the_list_of_its_tile),
+        cmocka_unit_test(a_slanted_beam_is_not_listed_in_all_of_its_rectangle),
+        cmocka_unit_test(light_behind_the_eye_is_in_no_list),
+        cmocka_unit_test(lists_keep_the_order_of_the_sources),
+        cmocka_unit_test(tiles_are_wider_where_there_is_less_room),
+        cmocka_unit_test(memory_that_is_exhausted_is_an_error),
+    };
+    return cmocka_run_group_tests_name("tile_lists", tests, NULL, NULL);
+}
