@@ -21,7 +21,7 @@ int ew_find_tile(ivec2 pixel)
 
 // What ew_find_tile says of the fragment. It is the same for a whole patch.
 #ifndef EW_PATCHES
-int ew_tile;
+int ew_tile = 0;
 #elif defined(EW_VERTEX_STAGE)
 flat out int ew_tile;
 #else

@@ -138,6 +138,36 @@ static bool goes_through(const ew_cone *cone, const ew_hull *seen)
     return is_left || is_right;
 }
 
+/* Whether the axis, at a depth, is over or below the inside of a polygon and within reach of it. */
+static bool is_over(const ew_cone *cone, const ew_hull *seen, double depth, double radius)
+{
+    double normal[3] = {0}, unit[3];
+    const double *first = seen->corners[0], place[3] = {cone->origin[0] + depth * cone->slope[0] - first[0],
+                                                        cone->origin[1] + depth * cone->slope[1] - first[1], depth - first[2]};
+    for (size_t i = 1; i + 1 < seen->corner_count; ++i) {
+        double a[3], b[3], across[3];
+        for (int k = 0; k < 3; ++k) {
+            a[k] = seen->corners[i][k] - first[k];
+            b[k] = seen->corners[i + 1][k] - first[k];
+        }
+        ew_cross(a, b, across);
+        for (int k = 0; k < 3; ++k)
+            normal[k] += across[k];
+    }
+    if (!ew_normalize(normal, unit) || fabs(ew_dot(place, unit)) > radius + cone->growth * depth) return false;
+    for (size_t i = 0; i < seen->corner_count; ++i) {
+        const double *from = seen->corners[i], *to = seen->corners[(i + 1) % seen->corner_count];
+        const double edge[3] = {to[0] - from[0], to[1] - from[1], to[2] - from[2]};
+        double to_place[3], across[3];
+        for (int k = 0; k < 3; ++k)
+            to_place[k] = place[k] + first[k] - from[k];
+        ew_cross(edge, to_place, across);
+        if (ew_dot(across, unit) < 0) return false;
+    }
+    return true;
+}
+
+/* Polygons are met at an edge, or else where the axis goes through or ends over them. */
 bool ew_cone_meets(const ew_cone *cone, const ew_hull *seen, double radius)
 {
     double reach = radius + cone->width;
@@ -146,5 +176,6 @@ bool ew_cone_meets(const ew_cone *cone, const ew_hull *seen, double radius)
         if (meets_place(cone, seen->corners[i], reach)) return true;
     for (size_t i = 0; i + (seen->corner_count == 2 ? 1 : 0) < seen->corner_count && seen->corner_count > 1; ++i)
         if (meets_edge(cone, seen->corners[i], seen->corners[(i + 1) % seen->corner_count], reach)) return true;
-    return seen->corner_count > 2 && goes_through(cone, seen);
+    return seen->corner_count > 2 && (goes_through(cone, seen) || is_over(cone, seen, cone->depths.start, reach) ||
+                                      is_over(cone, seen, cone->depths.end, reach));
 }
