@@ -106,6 +106,7 @@ static void set_points(life *l, size_t points)
     ew_error error = {.text = ""};
     picture before, after;
     make_field(&f, points, 0, 0, 0, false);
+    if (points >= 3) f.points[0].reach = 2;
     draw(l, EW_OUTPUT_ADD, &before);
     if (has_failed(l, ew_set_sources(l->effect, &f.desc, &error), &error)) {
         draw(l, EW_OUTPUT_ADD, &after);
@@ -143,11 +144,13 @@ static void any_allocation_may_fail_and_changes_nothing(void **state)
             assert_int_equal(watched.objects, 0);
             continue;
         }
-        for (size_t points = 1; points <= 5;
-             points++) { /* each output of each is a program: more than there is room for at first */
+        /* Each output of no point, one, several, and several with a reach is a program: more than there is room for at first.
+         */
+        for (size_t points = 1; points <= 5; points++) {
             picture drawn;
             set_points(&l, points);
             draw(&l, EW_OUTPUT_LUMINANCE, &drawn);
+            draw(&l, EW_OUTPUT_SOFT, &drawn);
         }
         const char *text = NULL;
         get_text(&l, NULL, &text);
@@ -157,7 +160,7 @@ static void any_allocation_may_fail_and_changes_nothing(void **state)
         assert_int_equal(watched.objects, 0);
         if (l.failures == 0) {
             print_message("%d allocations\n", l.given.allocations);
-            assert_true(refused >= 1 + 5 + 2 + 2); /* the effect, its sources, its programs, its texts */
+            assert_true(refused >= 1 + 5 + 2 + 3 + 2); /* the effect, its sources, programs, lists and texts */
             return;
         }
         assert_int_equal(l.failures, 1);
