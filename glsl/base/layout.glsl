@@ -26,10 +26,9 @@ struct ew_frame_block {
 
 // What adaptive resolution knows of the frame.
 struct ew_grid_block {
-    ivec4 viewport; // xy: its first pixel, zw: its size in pixels
+    ivec4 viewport; // what of the frame's the sources can light: xy: its first pixel, zw: its size in pixels
     vec4 tolerance; // x: how much an interpolated pixel may be off, relative to its light or to y times the picture's largest
-    vec4 lit;       // the box of NDC that the sources can light, from xy to zw
-    ivec4 tiles;    // x: columns of tiles, y: log2 of a tile's width in pixels (see list.glsl)
+    ivec4 tiles;    // x: columns of tiles, y: log2 of a tile's width in pixels, zw: where the first one begins, from xy of `viewport`
 };
 
 // Adaptive resolution divides the viewport into square cells of EW_CELL_SIZE pixels, and these stand in blocks of EW_BLOCK_CELLS by

@@ -12,10 +12,10 @@ int ew_list_entry(int i)
     return int((i & 1) == 0 ? word & 0xffffu : word >> 16);
 }
 
-// The first row, in the table of lists, of the tile at a pixel of the viewport, or of the nodes around it.
+// The first row, in the table of lists, of the tile at a pixel of the grid's viewport, or of the nodes around it.
 int ew_find_tile(ivec2 pixel)
 {
-    ivec2 tile = (pixel + EW_NODE_MARGIN * EW_CELL_SIZE) >> ew_grid.tiles.y;
+    ivec2 tile = (pixel - ew_grid.tiles.zw) >> ew_grid.tiles.y;
     return (tile.y * ew_grid.tiles.x + tile.x) * EW_KIND_COUNT;
 }
 

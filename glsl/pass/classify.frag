@@ -21,17 +21,24 @@ vec4 ew_fourth_difference(vec4 a, vec4 b, vec4 c, vec4 d, vec4 e)
     return abs(a - 4.0 * b + 6.0 * c - 4.0 * d + e);
 }
 
+// Adds an edge to the largest difference, and to the middle of Coons' patch.
+void ew_take_edge(ivec2 node, ivec2 along, inout vec4 difference, inout vec4 middle)
+{
+    vec4 nodes[6] = ew_edge_nodes(node, along);
+    difference = max(difference, ew_fourth_difference(nodes[0], nodes[1], nodes[2], nodes[3], nodes[4]));
+    difference = max(difference, ew_fourth_difference(nodes[1], nodes[2], nodes[3], nodes[4], nodes[5]));
+    middle += 0.5 * ew_edge_middle(nodes) - 0.125 * (nodes[2] + nodes[3]);
+}
+
 // The largest error that is to be expected.
 vec4 ew_interpolation_error(ivec2 first, int stride)
 {
+    ivec2 right_step = ivec2(stride, 0), up_step = ivec2(0, stride);
     vec4 difference = vec4(0.0), middle = vec4(0.0);
-    for (int i = 0; i < 4; ++i) {
-        vec4 nodes[6];
-        ew_read_edge(first, stride, i & 1, i >> 1, nodes);
-        difference = max(difference, ew_fourth_difference(nodes[0], nodes[1], nodes[2], nodes[3], nodes[4]));
-        difference = max(difference, ew_fourth_difference(nodes[1], nodes[2], nodes[3], nodes[4], nodes[5]));
-        middle += 0.5 * ew_edge_middle(nodes) - 0.125 * (nodes[2] + nodes[3]);
-    }
+    ew_take_edge(first, right_step, difference, middle);
+    ew_take_edge(first + up_step, right_step, difference, middle);
+    ew_take_edge(first, up_step, difference, middle);
+    ew_take_edge(first + right_step, up_step, difference, middle);
     return max(EW_ERROR_OF_DIFFERENCE * difference, EW_ERROR_OF_SURPLUS * abs(ew_middle_node(first, stride) - middle));
 }
 

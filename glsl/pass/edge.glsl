@@ -18,9 +18,10 @@ vec4 ew_edge_middle(vec4 nodes[6])
     return 0.5 * (nodes[2] + nodes[3]) + 0.125 * (ew_first_slope(nodes) - ew_last_slope(nodes));
 }
 
-// Six nodes in a row through an edge of a patch: the one below or, with `line` 1, above (axis 0); or else on the left or right.
-void ew_read_edge(ivec2 first, int stride, int axis, int line, out vec4 nodes[6])
+// Six nodes in a row through an edge of a patch that begins at a node; the next one is `along` it.
+vec4[6] ew_edge_nodes(ivec2 node, ivec2 along)
 {
-    for (int i = 0; i < 6; ++i)
-        nodes[i] = axis == 0 ? ew_node(first, stride, i - 2, line) : ew_node(first, stride, line, i - 2);
+    return vec4[6](texelFetch(ew_node_texture, node - 2 * along, 0), texelFetch(ew_node_texture, node - along, 0),
+                   texelFetch(ew_node_texture, node, 0), texelFetch(ew_node_texture, node + along, 0),
+                   texelFetch(ew_node_texture, node + 2 * along, 0), texelFetch(ew_node_texture, node + 3 * along, 0));
 }

@@ -13,11 +13,9 @@ void ew_fit_edge(vec4 nodes[6], out vec4 edge[3])
 
 void ew_fit(ivec2 first, int stride)
 {
-    vec4 bottom[6], top[6], left[6], right[6];
-    ew_read_edge(first, stride, 0, 0, bottom);
-    ew_read_edge(first, stride, 0, 1, top);
-    ew_read_edge(first, stride, 1, 0, left);
-    ew_read_edge(first, stride, 1, 1, right);
+    ivec2 right_step = ivec2(stride, 0), up_step = ivec2(0, stride);
+    vec4 bottom[6] = ew_edge_nodes(first, right_step), top[6] = ew_edge_nodes(first + up_step, right_step);
+    vec4 left[6] = ew_edge_nodes(first, up_step), right[6] = ew_edge_nodes(first + right_step, up_step);
     vec4 b[3], t[3], l[3], r[3];
     ew_fit_edge(bottom, b);
     ew_fit_edge(top, t);

@@ -95,6 +95,7 @@ static void draw_every_pixel(ew_drawing *drawing)
 {
     const GLuint program = drawing->programs.names[EW_PASS_WAVE];
     drawing->gl->UseProgram(program);
+    ew_gl_set_viewport(drawing->gl, &drawing->plan->lit);
     if (drawing->depth->samples > 0)
         ew_draw_samples(drawing->gl, program, drawing->depth->samples, draw_quad, drawing);
     else
@@ -110,11 +111,8 @@ static bool draw_on_grid(ew_grid *grid, const ew_drawing *drawing, ew_gl_state *
     bool is_filled = ew_grid_fill(grid, drawing);
     gl->BindFramebuffer(GL_DRAW_FRAMEBUFFER, target->framebuffer);
     ew_gl_set_blend(gl, target->blend != EW_BLEND_REPLACE);
-    ew_gl_clip_to(gl, state, &target->viewport);
-    if (is_filled)
-        ew_grid_draw(grid, drawing);
-    else
-        ew_gl_set_viewport(gl, &target->viewport);
+    ew_gl_clip_to(gl, state, &drawing->plan->lit);
+    if (is_filled) ew_grid_draw(grid, drawing);
     return is_filled;
 }
 

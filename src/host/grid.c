@@ -156,11 +156,11 @@ static void fill_textures(const ew_grid *grid, const ew_drawing *drawing, const 
 bool ew_grid_fill(ew_grid *grid, const ew_drawing *drawing)
 {
     const ew_gl *gl = drawing->gl;
-    const grid_extents extents = extents_of(&drawing->plan->target.viewport);
+    const grid_extents extents = extents_of(&drawing->plan->lit), whole = extents_of(&drawing->plan->target.viewport);
     GLuint framebuffer;
     for (int unit = EW_GL_NODE_TEXTURE_UNIT; unit < EW_GL_TEXTURE_UNIT_COUNT; ++unit)
         bind(gl, unit, 0);
-    grow(grid, gl, extents.blocks);
+    grow(grid, gl, whole.blocks);
     /* It serves one frame only, since contexts do not share framebuffers. */
     gl->GenFramebuffers(1, &framebuffer);
     gl->BindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
@@ -180,7 +180,7 @@ bool ew_grid_fill(ew_grid *grid, const ew_drawing *drawing)
  * behind them all lies outside of it. */
 static void draw_patches(const ew_drawing *drawing, extent patches, int stride)
 {
-    const ew_viewport *viewport = &drawing->plan->target.viewport;
+    const ew_viewport *viewport = &drawing->plan->lit;
     int width = stride * EW_CELL_SIZE, count = patches.columns * patches.rows;
     ew_gl_set_viewport(drawing->gl, &(ew_viewport){viewport->x, viewport->y, patches.columns * width, patches.rows * width});
     drawing->gl->DrawArrays(GL_POINTS, drawing->is_ahead ? count : 0, drawing->is_ahead ? 1 : count);
@@ -189,13 +189,13 @@ static void draw_patches(const ew_drawing *drawing, extent patches, int stride)
 static void draw_cells(void *user)
 {
     const ew_drawing *drawing = user;
-    draw_patches(drawing, extents_of(&drawing->plan->target.viewport).cells, 1);
+    draw_patches(drawing, extents_of(&drawing->plan->lit).cells, 1);
 }
 
 void ew_grid_draw(const ew_grid *grid, const ew_drawing *drawing)
 {
     const ew_gl *gl = drawing->gl;
-    const grid_extents extents = extents_of(&drawing->plan->target.viewport);
+    const grid_extents extents = extents_of(&drawing->plan->lit);
     bind(gl, EW_GL_BLOCK_TEXTURE_UNIT, grid->blocks);
     gl->UseProgram(drawing->programs.names[EW_PASS_INTERPOLATION]);
     set_stride(drawing, EW_PASS_INTERPOLATION, EW_BLOCK_CELLS);

@@ -49,6 +49,13 @@ static void pack_target_steps(ew_encoding encoding, struct ew_frame_block *block
     block->pixel_center.w = steps[encoding].relative;
 }
 
+/* Says what of the viewport is drawn. */
+static void set_lit(ew_plan *plan, const ew_viewport *lit)
+{
+    plan->lit = *lit;
+    plan->uniforms.grid.viewport = (ew_ivec4){lit->x, lit->y, lit->width, lit->height};
+}
+
 /* Fills what depends on the viewport: the rays of its pixels, and how wide cores are at the least. */
 static void pack_viewport(ew_plan *plan, const ew_frame_desc *frame, const ew_lit_space *space)
 {
@@ -59,8 +66,7 @@ static void pack_viewport(ew_plan *plan, const ew_frame_desc *frame, const ew_li
     if (frame->depth_source == EW_DEPTH_TEXTURE_LINEAR) ew_pack_linear_depth(&space->interval, block);
     double growth = core_growth_of(frame), unit = space->unit;
     block->core_floor.x = ew_is_parallel(&view) ? 0 : (float)(growth * growth);
-    plan->uniforms.grid.lit = (ew_vec4){-1, -1, 1, 1};
-    plan->uniforms.grid.viewport = (ew_ivec4){viewport.x, viewport.y, viewport.width, viewport.height};
+    set_lit(plan, &viewport);
     plan->uniforms.grid.tolerance = (ew_vec4){(float)interpolation_tolerance(frame->quality), 0.03f, 0, 0};
     block->core_floor.z = ew_is_parallel(&view) ? (float)(growth * growth / (unit * unit)) : 0;
 }
@@ -181,10 +187,9 @@ ew_result ew_plan_lists(ew_plan *plan, ew_tile_lists *lists, const ew_sources *s
     if (result != EW_OK || lists->entry_count == 0) return result;
     plan->permutation = ew_permutation_with_lists(plan->permutation);
     plan->lists = lists;
-    plan->uniforms.grid.tiles = (ew_ivec4){lists->columns, lists->size_log2, 0, 0};
-    if (plan->target.blend != EW_BLEND_REPLACE)
-        plan->uniforms.grid.lit =
-            (ew_vec4){(float)lists->lit_low[0], (float)lists->lit_low[1], (float)lists->lit_high[0], (float)lists->lit_high[1]};
+    if (plan->target.blend != EW_BLEND_REPLACE) set_lit(plan, &lists->lit);
+    plan->uniforms.grid.tiles =
+        (ew_ivec4){lists->columns, lists->size_log2, lists->first_x - plan->lit.x, lists->first_y - plan->lit.y};
     return EW_OK;
 }
 

@@ -42,6 +42,7 @@ typedef struct ew_plan {
     ew_interval depths;         /* between which the sources are seen */
     ew_target target;
     ew_depth_request depth;
+    ew_viewport lit;  /* what of the target's viewport is drawn: all that the sources can light */
     bool is_adaptive; /* in resolution */
     bool skips_restore;
 } ew_plan;

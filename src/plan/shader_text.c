@@ -270,7 +270,6 @@ void ew_write_vertex_shader(ew_shader_text *text, const ew_dialect *dialect, ew_
     start_stage(text, dialect, pass, key);
     add(text, "#define EW_VERTEX_STAGE\n");
     if (pass == EW_PASS_INTERPOLATION) add(text, "#define EW_INTERPOLATED\n");
-    if (pass == EW_PASS_WAVE) add(text, "#define EW_LIT_QUAD\n");
     add_file(text, ew_glsl_layout_glsl);
     add_file(text, ew_glsl_blocks_glsl);
     if (draws_patches(pass)) add_file(text, ew_glsl_grid_glsl);

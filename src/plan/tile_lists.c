@@ -229,15 +229,23 @@ static bool fill_entries(ew_tile_lists *lists, const ew_allocator *allocator)
 
 /* ---- All of it ---- */
 
-static void find_lit_box(ew_tile_lists *lists, const tile_box *lit, const ew_viewport *viewport)
+/* The pixels from tile `first` up to `end` of a viewport that begins at `start` and has `size`. */
+static void find_pixels(int first, int end, int size_log2, int start, int size, int *lit_start, int *lit_size)
 {
-    const int sizes[2] = {viewport->width, viewport->height};
-    for (int axis = 0; axis < 2; ++axis) {
-        const double tile = 2.0 * (1 << lists->size_log2) / sizes[axis], first = -1 - 2.0 * MARGIN / sizes[axis];
-        const bool is_dark = lit->first[axis] >= lit->end[axis];
-        lists->lit_low[axis] = is_dark ? -1 : fmin(fmax(first + lit->first[axis] * tile, -1), 1);
-        lists->lit_high[axis] = is_dark ? -1 : fmin(fmax(first + lit->end[axis] * tile, -1), 1);
-    }
+    int low = (first << size_log2) - MARGIN, high = (end << size_log2) - MARGIN;
+    low = low > 0 ? low : 0;
+    high = high < size ? high : size;
+    *lit_start = high > low ? start + low : start;
+    *lit_size = high > low ? high - low : 1;
+}
+
+static void find_lit_pixels(ew_tile_lists *lists, const tile_box *lit, const ew_viewport *viewport)
+{
+    const int log2 = lists->size_log2;
+    find_pixels(lit->first[0], lit->end[0], log2, viewport->x, viewport->width, &lists->lit.x, &lists->lit.width);
+    find_pixels(lit->first[1], lit->end[1], log2, viewport->y, viewport->height, &lists->lit.y, &lists->lit.height);
+    lists->first_x = viewport->x - MARGIN;
+    lists->first_y = viewport->y - MARGIN;
 }
 
 /* The view whose NDC run from -1 to 1 over all tiles. */
@@ -280,7 +288,7 @@ ew_result ew_make_tile_lists(ew_tile_lists *lists, const ew_sources *sources, co
                     .depths = depths,
                     .most = most};
         if (find_pairs(&s, sources) && fill_entries(lists, allocator)) {
-            find_lit_box(lists, &s.lit, viewport);
+            find_lit_pixels(lists, &s.lit, viewport);
             return EW_OK;
         }
         if (row_count(lists) + 1 + lists->pair_count < most)

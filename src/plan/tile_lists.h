@@ -28,8 +28,9 @@ typedef struct ew_tile_lists {
     uint32_t *words;
     size_t entry_count, word_capacity;
     int columns, rows;
-    int size_log2;                  /* of a tile's width in pixels */
-    double lit_low[2], lit_high[2]; /* a box of the viewport's NDC around all tiles that are lit */
+    int size_log2;        /* of a tile's width in pixels */
+    ew_viewport lit;      /* the part of the viewport around all tiles that are lit; at least a pixel */
+    int first_x, first_y; /* pixel where the first tile begins */
 
     /* While the lists are made: what was found, and for each row, which source was the last. */
     struct ew_tile_pair *pairs;

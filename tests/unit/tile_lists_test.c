@@ -36,7 +36,8 @@ static size_t entry(const ew_tile_lists *lists, size_t i)
 static size_t first_row(const ew_plan *plan, double x, double y)
 {
     const ew_ivec4 *tiles = &plan->uniforms.grid.tiles;
-    int column = ((int)floor(x) + MARGIN) >> tiles->y, row = ((int)floor(y) + MARGIN) >> tiles->y;
+    int column = ((int)floor(x) - plan->lit.x - tiles->z) >> tiles->y;
+    int row = ((int)floor(y) - plan->lit.y - tiles->w) >> tiles->y;
     return (size_t)(row * tiles->x + column) * EW_KIND_COUNT;
 }
 
@@ -85,11 +86,11 @@ static void what_lights_a_place_is_in_the_list_of_its_tile(void **state)
                 if (!(x >= -MARGIN && x < SIZE + MARGIN && y >= -MARGIN && y < SIZE + MARGIN)) continue;
                 ++visible;
                 if (!is_listed(&plan, first_row(&plan, x, y), k, 0))
-                    fail_msg("%s, scene %d: (%g, %g) is lit at depth %g of %g to %g", kind->name, number, x, y, seen[2], plan.depths.start, plan.depths.end);
-                const float here[2] = {(float)seen[0], (float)seen[1]};
-                const ew_vec4 lit = plan.uniforms.grid.lit;
-                if (is_in_viewport(seen) && (here[0] < lit.x || here[0] > lit.z || here[1] < lit.y || here[1] > lit.w))
-                    fail_msg("%s, scene %d: (%g, %g) is lit, outside of the box", kind->name, number, seen[0], seen[1]);
+                    fail_msg("%s, scene %d: (%g, %g) is lit at depth %g of %g to %g", kind->name, number, x, y, seen[2],
+                             plan.depths.start, plan.depths.end);
+                const ew_viewport *lit = &plan.lit;
+                if (is_in_viewport(seen) && (x < lit->x || x > lit->x + lit->width || y < lit->y || y > lit->y + lit->height))
+                    fail_msg("%s, scene %d: (%g, %g) is lit, and not drawn", kind->name, number, x, y);
             }
             release(&sources, &lists);
         }
@@ -124,7 +125,7 @@ static void light_behind_the_eye_is_in_no_list(void **state)
     ew_tile_lists lists = {0};
     const ew_plan plan = plan_of(&desc, &frame, MOST, &sources, &lists);
     assert_int_equal(count_lit_tiles(&lists), 0);
-    assert_true(plan.uniforms.grid.lit.x == plan.uniforms.grid.lit.z);
+    assert_int_equal(plan.lit.width * plan.lit.height, 1);
     release(&sources, &lists);
 }
 
