@@ -2,6 +2,7 @@
  * ew-bench: how fast and how wrong the library and its peers are on scene files.
  */
 #include "command_line.h"
+#include "comparison.h"
 #include "context.h"
 #include "integrator.h"
 #include "message.h"
@@ -35,6 +36,7 @@ static const char help[] =
     "      --csv FILE          writes the measurements as comma-separated rows, scene by scene\n"
     "      --report FOLDER     writes FOLDER/speed-and-error.md, with plots drawn by gnuplot\n"
     "      --name NAME         makes that FOLDER/speed-and-error-NAME.md\n"
+    "      --pictures FOLDER   writes a picture of each scene by each integrator into the folder, as PNG\n"
     "      --backend NAME      egl, osmesa or auto (default): EGL or else OSMesa\n"
     "  -h, --help              print this help\n"
     "\n"
@@ -44,9 +46,10 @@ typedef struct command_line {
     char **scenes;
     size_t scene_count;
     const char *integrators;
-    const char *csv;    /* NULL for none */
-    const char *report; /* NULL for none */
-    const char *name;   /* NULL for none */
+    const char *csv;      /* NULL for none */
+    const char *report;   /* NULL for none */
+    const char *name;     /* NULL for none */
+    const char *pictures; /* NULL for none */
     int width;
     int height;
     int repetitions;
@@ -91,6 +94,7 @@ static bool read_options(int argc, char **argv, command_line *options, char *mes
         {"error-samples", 0, read_error_samples, &options->error_samples, "must be from 1 to 1000000"},
         {"csv", 0, read_text, &options->csv, NULL},
         {"report", 0, read_text, &options->report, NULL},
+        {"pictures", 0, read_text, &options->pictures, NULL},
         {"name", 0, read_plain_name, &options->name, "must be of letters, digits, - and _, 60 at most"},
         {"backend", 0, read_backend, &options->backend, BACKEND_REMEDY},
     };
@@ -194,7 +198,9 @@ static bool benchmark(const command_line *options, char **paths, size_t path_cou
     bench_results results = {.settings = {.width = options->width,
                                           .height = options->height,
                                           .repetitions = options->repetitions,
-                                          .error_samples = (size_t)options->error_samples}};
+                                          .error_samples = (size_t)options->error_samples,
+                                          .dark = TRUTH_DARK,
+                                          .pictures = options->pictures}};
     bench_integrator *integrators =
         integrator_parse_list(options->integrators, &results.settings.integrator_count, message, size);
     results.settings.integrators = integrators;

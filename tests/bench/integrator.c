@@ -6,12 +6,15 @@
 #include <stdlib.h>
 #include <string.h>
 
-const char *const integrator_family_names[FAMILY_COUNT] = {"adaptive", "full", "simpson", "marching", "equiangular", "bare"};
+const char *const integrator_family_names[FAMILY_COUNT] = {"adaptive",      "full",       "simpson", "marching", "equiangular",
+                                                           "half-marching", "billboards", "ribbon",  "bare"};
 
 const char integrator_default_list[] = "bare,adaptive:1e-2,adaptive:1e-3,adaptive:1e-4,full:1e-2,full:1e-3,full:1e-4,"
-                                       "simpson:16,simpson:32,simpson:64,simpson:128,simpson:200,simpson:512,"
-                                       "marching:16,marching:32,marching:64,marching:128,marching:256,"
-                                       "equiangular:16,equiangular:32,equiangular:64,equiangular:128,equiangular:256";
+                                       "simpson:16,simpson:64,simpson:200,marching:16,marching:64,marching:256,"
+                                       "equiangular:16,equiangular:64";
+
+const char integrator_frame_list[] = "bare,adaptive:1e-3,full:1e-3,simpson:200,marching:64,half-marching:16,half-marching:64,"
+                                     "billboards:64,ribbon:64";
 
 static bool read_quality(const char *text, ew_quality *quality)
 {
@@ -47,7 +50,11 @@ static bool read_parameter(bench_integrator *made, const char *parameter)
         return read_samples(parameter, EW_MAX_SIMPSON_DIVISIONS, &made->samples) && made->samples % 2 == 0;
     case FAMILY_MARCHING:
     case FAMILY_EQUIANGULAR:
+    case FAMILY_HALF_MARCHING:
         return read_samples(parameter, INTEGRATOR_MAX_SAMPLES, &made->samples);
+    case FAMILY_BILLBOARDS:
+    case FAMILY_RIBBON:
+        return read_samples(parameter, INTEGRATOR_MAX_SECTIONS, &made->samples);
     case FAMILY_BARE:
     case FAMILY_COUNT:
         break;
@@ -90,8 +97,7 @@ bench_integrator *integrator_parse_list(const char *text, size_t *count, char *m
         const char *remedy = NULL;
         if (!parse(text, length, made))
             remedy = "is none; use bare, adaptive:1e-2, adaptive:1e-3, adaptive:1e-4, full:1e-2, full:1e-3, full:1e-4, "
-                     "simpson:N (N even), marching:N or "
-                     "equiangular:N";
+                     "simpson:N (N even), marching:N, equiangular:N, half-marching:N, billboards:N or ribbon:N";
         for (size_t i = 0; !remedy && i < *count; i++)
             if (strcmp(list[i].name, made->name) == 0) remedy = "is there twice; name it once";
         if (remedy) {

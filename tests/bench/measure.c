@@ -1,6 +1,7 @@
 /* Speed and error of integrators on a scene: see measure.h. */
 #include "measure.h"
 #include "comparison.h"
+#include "image.h"
 #include "message.h"
 #include "progress.h"
 #include "random_numbers.h"
@@ -9,7 +10,9 @@
 #include "stopwatch.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 #include <unistd.h>
 
 /* ---- Errors ------------------------------------------------------------------------------------------------------------- */
@@ -68,9 +71,44 @@ static bool compute_truth(bench_stage *stage, size_t pixel_count, error_stage *e
     return ok;
 }
 
+/* The picture's light in all over what it ought to be, at the pixels that are spread evenly. */
+static double share_of_truth(const error_stage *errors)
+{
+    double sum = 0, truth = 0;
+    for (size_t i = 0; i < errors->truth.count; i++) {
+        const true_pixel *pixel = &errors->truth.pixels[i];
+        if (!pixel->representative || !pixel->reliable) continue;
+        sum += true_pixel_luminance(&errors->picture, pixel);
+        truth += pixel->luminance;
+    }
+    return truth > 0 ? sum / truth : 1;
+}
+
+/* As the soft composite shows white light: 1 - exp(-B). */
+static bool write_picture(const drawn_picture *picture, const char *folder, const char *scene, const char *integrator,
+                          char *message, size_t size)
+{
+    size_t count = (size_t)picture->width * (size_t)picture->height;
+    float *colors = malloc(4 * count * sizeof *colors);
+    if (!colors) {
+        message_write(message, size, "--pictures: do not fit into memory");
+        return false;
+    }
+    for (size_t i = 0; i < 4 * count; i++)
+        colors[i] = 1 - expf(-picture->luminance[i / 4]);
+    char path[4096];
+    snprintf(path, sizeof path, "%s/%s-%s.png", folder, scene, integrator);
+    for (char *c = strchr(path + strlen(folder), ':'); c; c = strchr(c, ':'))
+        *c = '-';
+    const image_pixels image = {.width = picture->width, .height = picture->height, .channels = 4, .pixels = colors};
+    bool written = image_write(path, &image, message, size);
+    free(colors);
+    return written;
+}
+
 /* Draws what is not timed, which is also the first draw, with the shaders' compilation: for the errors and the evaluations. */
-static bool measure_errors(bench_stage *stage, error_stage *errors, const bench_integrator *integrator, measurement *result,
-                           char *message, size_t size)
+static bool measure_errors(bench_stage *stage, error_stage *errors, const char *name, const char *pictures,
+                           const bench_integrator *integrator, measurement *result, char *message, size_t size)
 {
     picture_comparison comparison;
     if (!stage_draw(stage, integrator, EW_OUTPUT_LUMINANCE, message, size)) return false;
@@ -82,6 +120,9 @@ static bool measure_errors(bench_stage *stage, error_stage *errors, const bench_
     }
     result->max_error = comparison.bad_count ? HUGE_VAL : comparison.largest_error;
     result->p99_error = comparison.percentile_99;
+    result->brightness = share_of_truth(errors);
+    if (pictures && !write_picture(&errors->picture, pictures, name, integrator->name, message, size)) return false;
+    if (!integrator_counts_evaluations(integrator)) return true;
     if (!stage_draw(stage, integrator, EW_OUTPUT_EVALUATIONS, message, size)) return false;
     stage_read(stage, errors->picture.luminance);
     result->evaluations_per_pixel = mean(errors->picture.luminance, (size_t)stage->width * (size_t)stage->height);
@@ -102,11 +143,13 @@ static bool measure_all_errors(bench_stage *stage, const demo_scene *scene, cons
         progress_show("%s: reference", name);
         ok = compute_truth(stage, settings->error_samples, &errors, message, size);
         if (ok) {
+            errors.truth.dark = settings->dark;
             measurements->pixels = errors.truth.count - errors.truth.unreliable_count;
             measurements->unreliable_pixels = errors.truth.unreliable_count;
             for (size_t i = 0; ok && i < settings->integrator_count; i++) {
                 progress_show("%s: errors of %s", name, settings->integrators[i].name);
-                ok = measure_errors(stage, &errors, &settings->integrators[i], &measurements->integrators[i], message, size);
+                ok = measure_errors(stage, &errors, name, settings->pictures, &settings->integrators[i],
+                                    &measurements->integrators[i], message, size);
             }
             true_pixels_free(&errors.truth);
         }

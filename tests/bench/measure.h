@@ -19,9 +19,12 @@ typedef struct measure_settings {
     size_t integrator_count;
     int repetitions; /* at least MEASURE_MIN_REPETITIONS */
     size_t error_samples;
+    double dark;          /* errors are relative to this share of the picture's largest luminance at the least */
+    const char *pictures; /* a folder for the pictures that are compared, or NULL */
 } measure_settings;
 
-/* One integrator's. The errors and evaluations of FAMILY_BARE are 0 and mean nothing. */
+/* One integrator's. What FAMILY_BARE has besides times is 0 and means nothing, as are the evaluations of those that do not
+ * count them. */
 typedef struct measurement {
     double ms_median;
     double ms_min;
@@ -29,6 +32,7 @@ typedef struct measurement {
     double evaluations_per_pixel;
     double max_error; /* see comparison.h; infinite if any pixel is negative, infinite or no number */
     double p99_error;
+    double brightness; /* all light of the picture, over what it ought to be */
 } measurement;
 
 typedef struct scene_measurements {

@@ -13,13 +13,13 @@ struct peer_distribution {
     float last;
 };
 
-peer_distribution peer_distribute(ew_segment segment, vec3 nearest)
+peer_distribution peer_distribute(ew_segment segment, vec2 chord, vec3 nearest)
 {
     vec3 to_nearest = nearest - segment.origin;
     float k = ew_length_squared(segment.direction);
     float center = dot(to_nearest, segment.direction) / k;
     float distance = max(length(to_nearest - center * segment.direction), ew_plain_glow().x) * inversesqrt(k);
-    return peer_distribution(center, distance, atan(-center / distance), atan((segment.end - center) / distance));
+    return peer_distribution(center, distance, atan((chord.x - center) / distance), atan((chord.y - center) / distance));
 }
 
 // x: s at u in [0, 1), y: 1 / the density of samples there.

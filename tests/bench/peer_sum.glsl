@@ -1,11 +1,11 @@
-// The integral of a source by samples that peer_place chooses. C puts this file into the shader once for each kind, with EW_SOURCE
-// defined as the kind's block. `others` is for the library's own integrator.
+// The integral of a source, over the part of the ray that it lights, by samples that peer_place chooses. C puts this file into the
+// shader once for each kind, with EW_SOURCE defined as the kind's block. `others` is for the library's own integrator.
 float ew_integrate(ew_segment segment, EW_SOURCE source, vec2 chord, float others)
 {
 #ifdef PEER_EQUIANGULAR
-    peer_distribution distribution = peer_distribute(segment, peer_nearest(segment, source));
+    peer_distribution distribution = peer_distribute(segment, chord, peer_nearest(segment, source));
 #else
-    peer_distribution distribution = peer_distribute(segment);
+    peer_distribution distribution = peer_distribute(segment, chord);
 #endif
     float jitter = peer_noise();
     int samples = ew_simpson_divisions();

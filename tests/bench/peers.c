@@ -1,75 +1,35 @@
 /* The integrators that are not the library's: see peers.h. */
 #include "peers.h"
 #include "message.h"
+#include "peer_billboards.h"
+#include "peer_half.h"
+#include "peer_ribbon.h"
+#include "peer_sampled.h"
 #include "peer_text.h"
 #include "shader.h"
 
-/* What the library keeps to itself: its shaders with another integrator in them, and how it fills their uniform block. */
-#include "base/allocator.h"
-#include "host/binding_points.h"
-#include "host/execute.h"
-#include "model/sources.h"
-#include "plan/plan.h"
-
 #include <stdlib.h>
+
+/* How many meshes are kept, so that integrators which take turns need not make them again. */
+enum { MESHES = 8 };
+
+typedef struct kept_mesh {
+    integrator_family family;
+    int samples;
+    peer_mesh mesh;
+} kept_mesh;
 
 struct bench_peers {
     gl_context *context;
-    ew_device device;
-    ew_sources sources;
-    ew_plan plan;
+    const ew_sources_desc *sources;
     ew_frame_desc frame;
-    GLuint vertex_array;
-    ew_program programs[FAMILY_COUNT][2]; /* for luminance and for evaluations; name 0: not compiled yet */
+    peer_sampled *sampled;
+    peer_half *half; /* NULL: not drawn yet */
+    kept_mesh meshes[MESHES];
+    int mesh_count;
+    GLuint bare_program; /* 0: not drawn yet */
+    GLuint vertex_array; /* without arrays */
 };
-
-/* ---- Shaders ------------------------------------------------------------------------------------------------------------ */
-
-static const ew_integrator_text *text_of(integrator_family family)
-{
-    static const char *const marching_before[] = {peer_glsl_peer_noise_glsl, peer_glsl_peer_marching_glsl, NULL};
-    static const char *const equiangular_before[] = {peer_glsl_peer_noise_glsl, peer_glsl_peer_equiangular_glsl, NULL};
-    static const ew_integrator_text marching = {marching_before, peer_glsl_peer_sum_glsl, true};
-    static const ew_integrator_text equiangular = {equiangular_before, peer_glsl_peer_sum_glsl, true};
-    return family == FAMILY_EQUIANGULAR ? &equiangular : &marching;
-}
-
-static bool make_bare_program(const bench_peers *peers, ew_program *program, char *message, size_t size)
-{
-    program->name = shader_link(
-        context_gl(peers->context),
-        "#version 330 core\nvoid main() { gl_Position = vec4(2.0 * vec2(gl_VertexID & 1, gl_VertexID >> 1) "
-        "- 1.0, 0.0, 1.0); }\n",
-        "#version 330 core\nout vec4 color;\nvoid main() { color = vec4(0.5); }\n", "the bare pass's", message, size);
-    return program->name != 0;
-}
-
-static bool make_peer_program(const bench_peers *peers, integrator_family family, ew_output output, ew_program *program,
-                              char *message, size_t size)
-{
-    ew_frame_desc frame = peers->frame;
-    frame.output = output;
-    const ew_mix mix = ew_sources_mix(&peers->sources);
-    unsigned key = ew_permutation_with_depth(ew_permutation_of(&mix, &frame),
-                                             frame.depth_texture ? EW_DEPTH_KIND_SINGLE : EW_DEPTH_KIND_NONE);
-    ew_error error;
-    ew_result result = ew_program_start(&peers->device.gl, EW_PASS_WAVE, key, text_of(family), program, &error);
-    if (result == EW_OK) result = ew_program_finish(&peers->device.gl, program, &error);
-    if (result != EW_OK) message_write(message, size, "%s: %s", integrator_family_names[family], error.text);
-    return result == EW_OK;
-}
-
-/* Returns the program of a family and an output, compiled if this is the first time; 0 with a message on failure. */
-static GLuint get_program(bench_peers *peers, integrator_family family, ew_output output, char *message, size_t size)
-{
-    ew_program *program = &peers->programs[family][output == EW_OUTPUT_EVALUATIONS];
-    if (program->name) return program->name;
-    bool made = family == FAMILY_BARE ? make_bare_program(peers, program, message, size)
-                                      : make_peer_program(peers, family, output, program, message, size);
-    return made ? program->name : 0;
-}
-
-/* ---- Drawing ------------------------------------------------------------------------------------------------------------ */
 
 bench_peers *peers_create(gl_context *context, const ew_sources_desc *sources, const ew_frame_desc *frame, char *message,
                           size_t size)
@@ -79,22 +39,10 @@ bench_peers *peers_create(gl_context *context, const ew_sources_desc *sources, c
         message_write(message, size, "the peers do not fit into memory");
         return NULL;
     }
-    ew_error error;
-    ew_effect_desc desc = {.get_proc_address = context_get_proc_address, .user = context};
-    ew_result result = ew_device_create(&made->device, &desc, &error);
-    if (result != EW_OK) {
-        message_write(message, size, "%s", error.text);
-        free(made);
-        return NULL;
-    }
-    made->context = context;
-    made->frame = *frame;
-    made->device.gl.software = false; /* the peers read the uniform block as it is */
-    made->device.gl.GenVertexArrays(1, &made->vertex_array);
-    result = ew_sources_set(&made->sources, sources, &ew_default_allocator, &error);
-    if (result == EW_OK) result = ew_plan_frame(&made->plan, &made->sources, NULL, frame, &error);
-    if (result == EW_OK) return made;
-    message_write(message, size, "%s", error.text);
+    *made = (bench_peers){.context = context, .sources = sources, .frame = *frame};
+    context_gl(context)->GenVertexArrays(1, &made->vertex_array);
+    made->sampled = peer_sampled_create(context, sources, frame, message, size);
+    if (made->sampled) return made;
     peers_destroy(made);
     return NULL;
 }
@@ -102,41 +50,79 @@ bench_peers *peers_create(gl_context *context, const ew_sources_desc *sources, c
 void peers_destroy(bench_peers *peers)
 {
     if (!peers) return;
-    const ew_gl *gl = &peers->device.gl;
-    for (int family = 0; family < FAMILY_COUNT; family++)
-        for (int output = 0; output < 2; output++)
-            gl->DeleteProgram(peers->programs[family][output].name);
+    const gl_functions *gl = context_gl(peers->context);
+    peer_sampled_destroy(peers->sampled);
+    peer_half_destroy(peers->half);
+    for (int i = 0; i < peers->mesh_count; i++)
+        peer_mesh_destroy(gl, &peers->meshes[i].mesh);
+    gl->DeleteProgram(peers->bare_program);
     gl->DeleteVertexArrays(1, &peers->vertex_array);
-    ew_device_destroy(&peers->device);
-    ew_device_abandon(&peers->device, &ew_default_allocator);
-    ew_sources_destroy(&peers->sources, &ew_default_allocator);
     free(peers);
 }
 
-bool peers_draw(bench_peers *peers, const bench_integrator *integrator, ew_output output, char *message, size_t size)
+static bool draw_bare(bench_peers *peers, char *message, size_t size)
 {
-    const ew_gl *gl = &peers->device.gl;
+    const gl_functions *gl = context_gl(peers->context);
     const ew_frame_desc *frame = &peers->frame;
-    GLuint program = get_program(peers, integrator->family, output, message, size);
-    if (!program) return false;
-
+    if (!peers->bare_program) {
+        const char *fragment = "#version 330 core\nout vec4 color;\nvoid main() { color = vec4(0.5); }\n";
+        peers->bare_program = shader_link(gl, peer_glsl_peer_quad_glsl, fragment, "the bare pass's", message, size);
+    }
+    if (!peers->bare_program) return false;
     gl->BindFramebuffer(GL_FRAMEBUFFER, frame->framebuffer);
     gl->Viewport(frame->viewport_x, frame->viewport_y, frame->viewport_width, frame->viewport_height);
-    gl->ActiveTexture(GL_TEXTURE0 + EW_GL_DEPTH_TEXTURE_UNIT);
-    gl->BindTexture(GL_TEXTURE_2D, frame->depth_texture);
-    peers->plan.uniforms.frame.simpson.x = integrator->samples;
-    ew_error error;
-    if (ew_upload(&peers->device, &peers->plan, &error) != EW_OK) {
-        message_write(message, size, "%s", error.text);
-        return false;
-    }
-    gl->BindBufferBase(GL_UNIFORM_BUFFER, EW_GL_UNIFORM_BINDING, peers->device.uniform_buffer);
-    gl->UseProgram(program);
+    gl->UseProgram(peers->bare_program);
     gl->BindVertexArray(peers->vertex_array);
     gl->DrawArrays(GL_TRIANGLE_STRIP, 0, 4);
     gl->BindVertexArray(0);
     gl->UseProgram(0);
-    gl->BindTexture(GL_TEXTURE_2D, 0);
     gl->BindFramebuffer(GL_FRAMEBUFFER, 0);
     return true;
+}
+
+static bool draw_half(bench_peers *peers, int samples, char *message, size_t size)
+{
+    if (!peers->half) peers->half = peer_half_create(peers->context, peers->sources, &peers->frame, message, size);
+    return peers->half && peer_half_draw(peers->half, samples, message, size);
+}
+
+static const peer_mesh *get_mesh(bench_peers *peers, const bench_integrator *integrator, char *message, size_t size)
+{
+    for (int i = 0; i < peers->mesh_count; i++)
+        if (peers->meshes[i].family == integrator->family && peers->meshes[i].samples == integrator->samples)
+            return &peers->meshes[i].mesh;
+    if (peers->mesh_count == MESHES) {
+        message_write(message, size, "--integrators: %d of billboards and ribbon are too many; name fewer", MESHES + 1);
+        return NULL;
+    }
+    kept_mesh *kept = &peers->meshes[peers->mesh_count];
+    *kept = (kept_mesh){.family = integrator->family, .samples = integrator->samples};
+    const mesh_style *style = integrator->family == FAMILY_RIBBON ? &peer_ribbon_style : &peer_billboards_style;
+    bool made =
+        peer_mesh_create(peers->context, peers->sources, &peers->frame, style, kept->samples, &kept->mesh, message, size);
+    if (!made) return NULL;
+    peers->mesh_count++;
+    return &kept->mesh;
+}
+
+static bool draw_mesh(bench_peers *peers, const bench_integrator *integrator, char *message, size_t size)
+{
+    const peer_mesh *mesh = get_mesh(peers, integrator, message, size);
+    if (mesh) peer_mesh_draw(context_gl(peers->context), mesh, &peers->frame);
+    return mesh != NULL;
+}
+
+bool peers_draw(bench_peers *peers, const bench_integrator *integrator, ew_output output, char *message, size_t size)
+{
+    switch (integrator->family) {
+    case FAMILY_BARE:
+        return draw_bare(peers, message, size);
+    case FAMILY_HALF_MARCHING:
+        return draw_half(peers, integrator->samples, message, size);
+    case FAMILY_BILLBOARDS:
+    case FAMILY_RIBBON:
+        return draw_mesh(peers, integrator, message, size);
+    default:
+        return peer_sampled_draw(peers->sampled, integrator->family, integrator->samples, output, message, size);
+    }
 }
