@@ -144,7 +144,7 @@ bool peer_half_draw(peer_half *peer, int samples, char *message, size_t size)
 {
     const ew_frame_desc *frame = &peer->frame;
     if (peer->depth) draw_quad(peer, peer->depth_framebuffer, peer->depth_program, 0, 0, peer->width, peer->height);
-    if (!peer_sampled_draw(peer->sampled, FAMILY_HALF_MARCHING, samples, EW_OUTPUT_LUMINANCE, message, size)) return false;
+    if (!peer_sampled_draw(peer->sampled, FAMILY_MARCHING, samples, EW_OUTPUT_LUMINANCE, message, size)) return false;
     draw_quad(peer, frame->framebuffer, peer->upsample_program, frame->viewport_x, frame->viewport_y, frame->viewport_width,
               frame->viewport_height);
     return true;

@@ -1,6 +1,7 @@
 /*
- * Marching at half the resolution, as engines draw fog: interleaved offsets (peer_interleaved.glsl), and depth-aware upsampling
- * (peer_half_upsample.glsl). Engines filter over frames as well, which is left out, since it needs a still picture.
+ * Marching at half the resolution, as engines draw fog: jittered (peer_noise.glsl), with depth-aware upsampling
+ * (peer_half_upsample.glsl). A wider filter leaves less noise, takes longer, and blurs the cores, so that the errors are
+ * larger. Engines filter over frames as well, which is left out: light that moves smears.
  */
 #ifndef PEER_HALF_H
 #define PEER_HALF_H

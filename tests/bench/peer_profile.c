@@ -3,7 +3,7 @@
 
 #include <math.h>
 
-enum { PLACES_ACROSS = 64, PLACES_ALONG = 8, PLACES_AT_END = 16, SWEEPS = 1000 };
+enum { PLACES_ACROSS = 64, PLACES_ALONG = 8, PLACES_AT_END = 40, SWEEPS = 1000 };
 
 /* The place of a texel's centre, in reaches. */
 static double texel_distance(double texel)
@@ -28,7 +28,8 @@ void profile_of_ribbon(const source_light *light, float texels[PROFILE_TEXELS])
         texels[i] = (float)profile_across(light, light->reach * texel_distance(i));
 }
 
-/* The unknowns: the texels of both falloffs, one after the other. */
+/* The unknowns: how much lower than the texel before each texel of both falloffs is, the last one as against 0. So neither
+ * rises on its way out, as no painter would have it. */
 enum { UNKNOWNS = 2 * PROFILE_TEXELS };
 
 /* Adds to `row`, in which each texel of a falloff has its share, what a billboard `distance` away shows: as GL filters,
@@ -39,8 +40,8 @@ static void add_billboard(double distance, double reach, double *row)
     double place = fmax(0, sqrt(distance / reach) * PROFILE_TEXELS - 0.5);
     int texel = (int)place;
     double share = place - texel;
-    row[texel] += 1 - share;
-    row[texel + 1 < PROFILE_TEXELS ? texel + 1 : texel] += share;
+    for (int i = texel; i < PROFILE_TEXELS; i++)
+        row[i] += i == texel ? 1 - share : 1;
 }
 
 typedef struct least_squares {
@@ -95,8 +96,9 @@ void profiles_of_billboards(const source_light *light, double spacing, float alo
             add_place(light, spacing, light->reach * ((2 * i + 1) / (double)PLACES_AT_END - 1), b, &system);
     }
     solve(&system, solution);
-    for (int i = 0; i < PROFILE_TEXELS; i++) {
-        along[i] = (float)solution[i];
-        end[i] = (float)solution[PROFILE_TEXELS + i];
+    double sum = 0, end_sum = 0;
+    for (int i = PROFILE_TEXELS - 1; i >= 0; i--) {
+        along[i] = (float)(sum += solution[i]);
+        end[i] = (float)(end_sum += solution[PROFILE_TEXELS + i]);
     }
 }

@@ -9,6 +9,9 @@
 /* How much wider than straight a corner may be. */
 #define LARGEST_MITRE 2.0
 
+/* How near to a bend's centre the inner edge may come, since the next bend may be sharper. */
+#define INNER_SHARE 0.8
+
 /* A place where two sections meet. */
 typedef struct ribbon_joint {
     outline_place place;
@@ -56,7 +59,7 @@ static void keep_from_folding(const outline *shape, size_t i, size_t all, ribbon
     vector_normalize(side, side);
     double length = 0.5 * (seen_way(&before, &joint->place, to_eye, first) + seen_way(&joint->place, &after, to_eye, second));
     vector_subtract(second, first, turn);
-    double bend = vector_dot(turn, side) / fmax(length, 1e-9), most = 1 / fmax(fabs(bend) * shape->light.reach, 1e-9);
+    double bend = vector_dot(turn, side) / fmax(length, 1e-9), most = INNER_SHARE / fmax(fabs(bend) * shape->light.reach, 1e-9);
     joint->offset[bend > 0] *= fmin(1, most);
 }
 

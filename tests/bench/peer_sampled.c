@@ -24,12 +24,10 @@ struct peer_sampled {
 static const ew_integrator_text *text_of(integrator_family family)
 {
     static const char *const marching_before[] = {peer_glsl_peer_noise_glsl, peer_glsl_peer_marching_glsl, NULL};
-    static const char *const half_before[] = {peer_glsl_peer_interleaved_glsl, peer_glsl_peer_marching_glsl, NULL};
     static const char *const equiangular_before[] = {peer_glsl_peer_noise_glsl, peer_glsl_peer_equiangular_glsl, NULL};
     static const ew_integrator_text marching = {marching_before, peer_glsl_peer_sum_glsl, true};
-    static const ew_integrator_text half = {half_before, peer_glsl_peer_sum_glsl, true};
     static const ew_integrator_text equiangular = {equiangular_before, peer_glsl_peer_sum_glsl, true};
-    return family == FAMILY_EQUIANGULAR ? &equiangular : family == FAMILY_HALF_MARCHING ? &half : &marching;
+    return family == FAMILY_EQUIANGULAR ? &equiangular : &marching;
 }
 
 /* Returns the program of a family and an output, compiled if this is the first time; 0 with a message on failure. */

@@ -16,7 +16,7 @@ peer_sampled *peer_sampled_create(gl_context *context, const ew_sources_desc *so
                                   char *message, size_t size);
 void peer_sampled_destroy(peer_sampled *peer);
 
-/* `family` is FAMILY_MARCHING, FAMILY_EQUIANGULAR, or FAMILY_HALF_MARCHING for the part of it that marches. */
+/* `family` is FAMILY_MARCHING or FAMILY_EQUIANGULAR. */
 bool peer_sampled_draw(peer_sampled *peer, integrator_family family, int samples, ew_output output, char *message, size_t size);
 
 #endif
