@@ -24,13 +24,15 @@ enum { EXIT_BAD_INPUT = 2, MAX_REPETITIONS = 1000, MAX_ERROR_SAMPLES = 1000000 }
 
 static const char help[] =
     "Usage: ew-bench [SCENE.json]... [option]...\n"
-    "Measures the speed and the error of integrators on scenes, by default on those that come with the benchmark.\n"
+    "Measures the speed and the error of integrators on scenes. By default, these are those that come with the benchmark: "
+    "frames\n"
+    "as games have them, at 1920x1080, and scenes of the papers' integral.\n"
     "\n"
-    "      --size WxH          in pixels, up to 8192x8192 (default 512x512)\n"
+    "      --size WxH          in pixels, up to 8192x8192 (default 512x512, but for the frames)\n"
     "      --integrators LIST  separated by commas: adaptive:1e-2, adaptive:1e-3, adaptive:1e-4, simpson:N (N divisions),\n"
     "                          full:E, which is adaptive:E at every pixel,\n"
-    "                          marching:N, equiangular:N (N samples), bare (a pass that only writes a constant);\n"
-    "                          by default all that a report compares\n"
+    "                          marching:N, equiangular:N, half-marching:N (N samples), billboards:N, ribbon:N (N a source),\n"
+    "                          bare (a pass that only writes a constant); by default all that a report compares\n"
     "      --repetitions N     frames that are timed, 3 or more (default 15); fewer of what takes more than 1.5 s for that\n"
     "      --error-samples N   pixels that are compared with the reference (default 4096)\n"
     "      --csv FILE          writes the measurements as comma-separated rows, scene by scene\n"
@@ -45,12 +47,12 @@ static const char help[] =
 typedef struct command_line {
     char **scenes;
     size_t scene_count;
-    const char *integrators;
-    const char *csv;      /* NULL for none */
-    const char *report;   /* NULL for none */
-    const char *name;     /* NULL for none */
-    const char *pictures; /* NULL for none */
-    int width;
+    const char *integrators; /* NULL for the defaults */
+    const char *csv;         /* NULL for none */
+    const char *report;      /* NULL for none */
+    const char *name;        /* NULL for none */
+    const char *pictures;    /* NULL for none */
+    int width;               /* 0 for the defaults */
     int height;
     int repetitions;
     int error_samples;
@@ -164,8 +166,9 @@ static bool measure_all_scenes(gl_context *context, bench_results *results, FILE
     return true;
 }
 
-static bool measure_to_file(gl_context *context, const command_line *options, bench_results *results, char *message,
-                            size_t size)
+/* Measures all sets of scenes. */
+static bool measure_to_file(gl_context *context, const command_line *options, bench_results *sets, size_t set_count,
+                            char *message, size_t size)
 {
     FILE *csv = options->csv ? fopen(options->csv, "w") : NULL;
     if (options->csv && !(csv && table_write_csv_header(csv))) {
@@ -174,62 +177,98 @@ static bool measure_to_file(gl_context *context, const command_line *options, be
         if (csv) fclose(csv);
         return false;
     }
-    bool ok = measure_all_scenes(context, results, csv, options->csv, message, size);
+    bool ok = true;
+    for (size_t i = 0; ok && i < set_count; i++)
+        ok = measure_all_scenes(context, &sets[i], csv, options->csv, message, size);
     if (csv && fclose(csv) != 0 && ok) {
         message_write(message, size, "%s: cannot be written (%s)", options->csv, strerror(errno));
         ok = false;
     }
-    return ok && (!options->report || report_write(results, options->report, options->name, message, size));
+    return ok && (!options->report || report_write(sets, set_count, options->report, options->name, message, size));
 }
 
-static bool run(const command_line *options, bench_results *results, char *message, size_t size)
+static bool run(const command_line *options, bench_results *sets, size_t set_count, char *message, size_t size)
 {
     gl_context *context = context_create(options->backend, message, size);
     if (!context) return false;
     puts(context_description(context));
-    results->machine = machine_describe(context);
-    bool ok = measure_to_file(context, options, results, message, size);
+    bench_machine machine;
+    bool ok = machine_describe(context, &machine, message, size);
+    for (size_t i = 0; i < set_count; i++)
+        sets[i].machine = machine;
+    ok = ok && measure_to_file(context, options, sets, set_count, message, size);
     context_destroy(context);
     return ok;
 }
 
-static bool benchmark(const command_line *options, char **paths, size_t path_count, char *message, size_t size)
+/* Scenes to measure, and by which integrators unless the options name others. */
+typedef struct scene_set {
+    const char *title;
+    const char *pattern; /* of their files, for glob; NULL for those that the options name */
+    const char *integrators;
+    int width, height;
+    double dark;
+} scene_set;
+
+static const scene_set own_sets[] = {
+    {"Whole frames", EW_BENCH_FRAMES "/*.json", integrator_frame_list, 1920, 1080, TRUTH_DARK_INTERPOLATED},
+    {"The papers' integral", EW_BENCH_SCENES "/*.json", integrator_default_list, 512, 512, TRUTH_DARK},
+};
+static const scene_set named_set = {"Scenes", NULL, integrator_default_list, 512, 512, TRUTH_DARK};
+
+/* Fills in what is to be measured; free_set frees it. `found` keeps the names of the files. */
+static bool make_set(const scene_set *set, const command_line *options, glob_t *found, bench_results *results, char *message,
+                     size_t size)
 {
-    bench_results results = {.settings = {.width = options->width,
-                                          .height = options->height,
-                                          .repetitions = options->repetitions,
-                                          .error_samples = (size_t)options->error_samples,
-                                          .dark = TRUTH_DARK,
-                                          .pictures = options->pictures}};
-    bench_integrator *integrators =
-        integrator_parse_list(options->integrators, &results.settings.integrator_count, message, size);
-    results.settings.integrators = integrators;
-    bool ok = integrators && list_scenes(paths, path_count, &results, message, size) && run(options, &results, message, size);
-    for (size_t i = 0; i < results.scene_count; i++)
-        measure_free(&results.scenes[i].measurements);
-    free(results.scenes);
-    free(integrators);
+    *results = (bench_results){.title = set->title,
+                               .settings = {.width = options->width > 0 ? options->width : set->width,
+                                            .height = options->height > 0 ? options->height : set->height,
+                                            .repetitions = options->repetitions,
+                                            .error_samples = (size_t)options->error_samples,
+                                            .dark = set->dark,
+                                            .pictures = options->pictures}};
+    if (set->pattern) glob(set->pattern, 0, NULL, found);
+    results->settings.integrators = integrator_parse_list(options->integrators ? options->integrators : set->integrators,
+                                                          &results->settings.integrator_count, message, size);
+    return results->settings.integrators &&
+           list_scenes(set->pattern ? found->gl_pathv : options->scenes, set->pattern ? found->gl_pathc : options->scene_count,
+                       results, message, size);
+}
+
+static void free_set(bench_results *results)
+{
+    for (size_t i = 0; i < results->scene_count; i++)
+        measure_free(&results->scenes[i].measurements);
+    free(results->scenes);
+    free((void *)results->settings.integrators);
+}
+
+static bool benchmark(const command_line *options, char *message, size_t size)
+{
+    enum { OWN_SETS = sizeof own_sets / sizeof *own_sets };
+    bool has_names = options->scene_count > 0;
+    size_t count = has_names ? 1 : OWN_SETS;
+    bench_results results[OWN_SETS] = {0};
+    glob_t found[OWN_SETS] = {0};
+    bool ok = true;
+    for (size_t i = 0; ok && i < count; i++)
+        ok = make_set(has_names ? &named_set : &own_sets[i], options, &found[i], &results[i], message, size);
+    ok = ok && run(options, results, count, message, size);
+    for (size_t i = 0; i < count; i++) {
+        free_set(&results[i]);
+        globfree(&found[i]);
+    }
     return ok;
 }
 
 int main(int argc, char **argv)
 {
-    command_line options = {.integrators = integrator_default_list,
-                            .width = 512,
-                            .height = 512,
-                            .repetitions = 15,
-                            .error_samples = 4096,
-                            .backend = CONTEXT_AUTO};
+    command_line options = {.repetitions = 15, .error_samples = 4096, .backend = CONTEXT_AUTO};
     char message[600];
     if (!read_options(argc, argv, &options, message, sizeof message)) {
         if (message[0] == '\0') return EXIT_SUCCESS;
-    } else {
-        glob_t found = {0};
-        if (options.scene_count == 0) glob(EW_BENCH_SCENES "/*.json", 0, NULL, &found);
-        bool ok = benchmark(&options, options.scene_count > 0 ? options.scenes : found.gl_pathv,
-                            options.scene_count > 0 ? options.scene_count : found.gl_pathc, message, sizeof message);
-        globfree(&found);
-        if (ok) return EXIT_SUCCESS;
+    } else if (benchmark(&options, message, sizeof message)) {
+        return EXIT_SUCCESS;
     }
     fprintf(stderr, "ew-bench: %s\n", message);
     return EXIT_BAD_INPUT;

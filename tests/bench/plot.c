@@ -44,7 +44,7 @@ static bool can_be_drawn(const measurement *point)
 static size_t write_data(FILE *file, const bench_results *results, const bench_scene *scene, integrator_family family)
 {
     size_t count = 0;
-    fprintf(file, "$%s << END\n", integrator_family_names[family]);
+    fprintf(file, "$points_%d << END\n", (int)family);
     for (size_t i = 0; i < results->settings.integrator_count; i++) {
         const bench_integrator *integrator = &results->settings.integrators[i];
         const measurement *point = &scene->measurements.integrators[i];
@@ -93,8 +93,8 @@ static void write_script(FILE *file, const bench_results *results, const bench_s
     fputs("plot ", file);
     for (int family = 0; family < FAMILY_BARE; family++) {
         if (counts[family] == 0) continue;
-        fprintf(file, "%s$%s using 1:2 with linespoints %s lc rgb '%s' title '%s'", drawn++ > 0 ? ", \\\n     " : "",
-                integrator_family_names[family], families[family].style, families[family].color, families[family].title);
+        fprintf(file, "%s$points_%d using 1:2 with linespoints %s lc rgb '%s' title '%s'", drawn++ > 0 ? ", \\\n     " : "",
+                family, families[family].style, families[family].color, families[family].title);
         fprintf(file, ", \\\n     '' using 1:2:3 with labels offset 0.6,0.6 left font ',10' tc rgb '%s' notitle",
                 families[family].color);
     }

@@ -35,37 +35,63 @@ static void write_introduction(FILE *file, const bench_results *results)
     const measure_settings *settings = &results->settings;
     const bench_machine *machine = &results->machine;
     fputs("# Speed against error\n\n"
-          "`ew-bench` wrote this page, every number and every sentence. In the plots, left is faster and down is more "
-          "accurate.\n\n",
+          "`ew-bench` wrote this page, every number and every sentence; `./run bench` writes it anew.",
           file);
-    fprintf(file, "- Machine: %s, %ld core%s; %s, OpenGL %s.\n", machine->processor, machine->cores,
+    if (!machine->has_gl_timer)
+        fputs(
+            " This machine has no GPU: a software rasteriser drew everything, so that the times only mean something beside one "
+            "another. Ratios on a GPU differ, too.",
+            file);
+    fprintf(file, "\n\n- Machine: %s, %ld core%s; %s, OpenGL %s.\n", machine->processor, machine->cores,
             machine->cores == 1 ? "" : "s", machine->renderer, machine->version);
-    fprintf(file, "- Time: one frame of %d x %d pixels, luminance only, measured %s.", settings->width, settings->height,
-            machine->has_gl_timer ? "by GL's own timer" : "by the wall clock from `glFinish` to `glFinish`");
+    fprintf(file,
+            "- Time: one frame, luminance only, measured %s. All take turns. The median is over %d frames, or over fewer "
+            "(at least %d) if these would take more than %g s.\n",
+            machine->has_gl_timer ? "by GL's own timer" : "by the wall clock from `glFinish` to `glFinish`",
+            settings->repetitions, MEASURE_MIN_REPETITIONS, MEASURE_BUDGET / 1000);
     fprintf(
         file,
-        " The integrators take turns. The median is over %d frames, or over fewer (at least %d) if these would take more than "
-        "%g s.\n",
-        settings->repetitions, MEASURE_MIN_REPETITIONS, MEASURE_BUDGET / 1000);
+        "- Limit: fragment shaders that do nothing but dependent multiply-adds do %s of them in a millisecond here. \"Limit\" "
+        "in the tables is how many each pixel could have had in the frame's time.\n",
+        number(machine->multiply_adds));
     fprintf(
         file,
-        "- Error: relative to the luminance of a double-precision reference, or to %g of the picture's largest luminance, "
+        "- Error: relative to the luminance of a double-precision reference, or to a share of the picture's largest, "
         "whichever is greater. The largest error is over about %zu pixels: some spread evenly over the picture, the others "
-        "where it is brightest, where it is darkest, at silhouettes of opaque shapes, and at and around the places where two "
-        "settings of this library differ most. The 99th percentile is over the evenly spread pixels.\n\n",
-        TRUTH_DARK, settings->error_samples);
+        "where it is brightest, where it is darkest, at silhouettes of opaque shapes, and where two settings of this library "
+        "differ most. 99 %% of the evenly spread pixels are below the next column. \"Light\" is all light of the picture over "
+        "what it ought to be.\n\n",
+        settings->error_samples);
+}
+
+static void write_glossary(FILE *file)
+{
     fputs(
-        "What is compared:\n\n"
+        "## What is compared\n\n"
         "- `adaptive:E`: this library, with the quality E, as a host gets it.\n"
         "- `full:E`: the same with the light integrated at every pixel (`EW_RESOLUTION_FULL`).\n"
         "- `simpson:N`: the published method, Simpson's rule with N divisions, with the nearest point of each sample in closed "
         "form.\n"
-        "- `marching:N`: N equal steps, jittered by interleaved gradient noise, as in game engines.\n"
+        "- `marching:N`: N equal steps over the part of the ray that a source reaches, jittered by interleaved gradient noise. "
+        "Samples are neither averaged over frames nor filtered.\n"
+        "- `half-marching:N`: the same at a quarter of the pixels, as games draw fog, with depth-aware upsampling. Leaves out "
+        "what is thinner than two pixels: cores and silhouettes blur.\n"
+        "- `billboards:N`: N soft sprites a source, and one more at each end, which add up. Their falloffs are fitted to the "
+        "glow of "
+        "a beam by least squares, and they fade at the opaque depth. Leave out where the light ends along each ray, bends "
+        "within "
+        "the reach, and the eye within the glow.\n"
+        "- `ribbon:N`: a strip of N sections along each source that turns to the eye, painted with the exact glow of a beam "
+        "that is "
+        "seen from the side, brighter by 1 / sin (up to 4) where it is seen at an angle, with half discs at its ends. It is "
+        "narrower "
+        "within bends, or it would fold. Leaves out the same.\n"
         "- `equiangular:N`: N samples at equal angles about the point of each source that is nearest to the ray, as in path "
         "tracers. This is made for light that falls off with the square of the distance.\n"
         "- `bare`: a pass over the same target that only writes a constant.\n\n"
-        "Marching and equiangular sampling find the nearest point of a curve as the published method does. Samples are neither "
-        "averaged over frames nor filtered.\n\n",
+        "The peers are told the sources once, for nothing; this library is told them every frame. Sprites and ribbons work for "
+        "sources "
+        "that have a reach, so the scenes of the papers' integral have none.\n\n",
         file);
 }
 
@@ -138,9 +164,9 @@ static void write_sentences(FILE *file, const bench_results *results, const benc
         if (!is_peer(&settings->integrators[i])) continue;
         peers++;
         if (is_beaten(results, scene, peer)) continue;
-        fprintf(file, "%s `%s` (%s ms, %s)",
+        fprintf(file, "%s `%s` (%s ms, with errors up to %s, and up to %s at 99 %% of the pixels)",
                 unbeaten++ == 0 ? "No setting of this library is both faster and more accurate than" : ",",
-                settings->integrators[i].name, number(peer->ms_median), number(peer->max_error));
+                settings->integrators[i].name, number(peer->ms_median), number(peer->max_error), number(peer->p99_error));
     }
     if (unbeaten > 0 && unbeaten < peers)
         fprintf(file, ". Each of the other %zu of its %zu peers is slower and less accurate than some setting.\n\n",
@@ -153,41 +179,61 @@ static void write_sentences(FILE *file, const bench_results *results, const benc
         fprintf(file, "Each of the %zu peers is slower and less accurate than some setting of this library.\n\n", peers);
 }
 
+static void write_row(FILE *file, const bench_results *results, const bench_integrator *integrator, const measurement *row)
+{
+    fprintf(file, "| `%s` | %s | %s | %d | %s |", integrator->name, number(row->ms_median), number(row->ms_min),
+            row->repetitions, number(results_multiply_adds(results, row->ms_median)));
+    if (integrator->family == FAMILY_BARE) {
+        fputs(" | | | |\n", file);
+        return;
+    }
+    fprintf(file, " %s |", integrator_counts_evaluations(integrator) ? number(row->evaluations_per_pixel) : "");
+    fprintf(file, " %s | %s | %.2f |\n", number(row->max_error), number(row->p99_error), row->brightness);
+}
+
 static void write_table(FILE *file, const bench_results *results, const bench_scene *scene)
 {
     const measure_settings *settings = &results->settings;
-    fputs("| integrator | ms, median | ms, minimum | frames | evaluations per pixel | largest error | 99th percentile |\n"
-          "|---|--:|--:|--:|--:|--:|--:|\n",
+    fputs("| drawn by | ms, median | ms, least | frames | limit | evaluations a pixel | largest error | 99 % below | light |\n"
+          "|---|--:|--:|--:|--:|--:|--:|--:|--:|\n",
           file);
-    for (size_t i = 0; i < settings->integrator_count; i++) {
-        const measurement *row = &scene->measurements.integrators[i];
-        fprintf(file, "| `%s` | %s | %s | %d |", settings->integrators[i].name, number(row->ms_median), number(row->ms_min),
-                row->repetitions);
-        if (settings->integrators[i].family == FAMILY_BARE)
-            fputs(" | | |\n", file);
-        else
-            fprintf(file, " %s | %s | %s |\n", number(row->evaluations_per_pixel), number(row->max_error),
-                    number(row->p99_error));
-    }
+    for (size_t i = 0; i < settings->integrator_count; i++)
+        write_row(file, results, &settings->integrators[i], &scene->measurements.integrators[i]);
     if (scene->measurements.unreliable_pixels > 0)
         fprintf(file, "\nThe reference was not sure of %zu of %zu pixels, which were left out.\n",
                 scene->measurements.unreliable_pixels, scene->measurements.unreliable_pixels + scene->measurements.pixels);
     fputs("\n", file);
 }
 
-static void write_page(FILE *file, const bench_results *results, const char *base)
+static void write_set(FILE *file, const bench_results *results, const char *base)
 {
-    write_introduction(file, results);
-    if (results_find(results, &results->scenes[0], ours) && results_find(results, &results->scenes[0], published)) {
+    const measure_settings *settings = &results->settings;
+    fprintf(file,
+            "## %s\n\nFrames of %d x %d pixels. Errors are relative to %g of the picture's largest luminance at the least.\n\n",
+            results->title, settings->width, settings->height, settings->dark);
+    if (results->scene_count > 1 && results_find(results, &results->scenes[0], ours) &&
+        results_find(results, &results->scenes[0], published)) {
         write_summary(file, results);
         write_conclusion(file, results);
     }
     for (size_t i = 0; i < results->scene_count; i++) {
         const bench_scene *scene = &results->scenes[i];
-        fprintf(file, "## %s\n\n", scene->name);
-        write_sentences(file, results, scene);
-        fprintf(file, "![Largest error against time, on logarithmic axes](%s/%s.svg)\n\n", base, scene->name);
+        fprintf(file, "### %s\n\n", scene->name);
         write_table(file, results, scene);
+        write_sentences(file, results, scene);
+        fprintf(file,
+                "![Largest error against time, on logarithmic axes: left is faster, down is more accurate](%s/%s.svg)\n\n",
+                base, scene->name);
+    }
+}
+
+/* The first set has the first word: what frames cost. */
+static void write_page(FILE *file, const bench_results *sets, size_t set_count, const char *base)
+{
+    write_introduction(file, &sets[0]);
+    for (size_t i = 0; i < set_count; i++) {
+        write_set(file, &sets[i], base);
+        if (i == 0) write_glossary(file);
     }
 }
 
@@ -198,7 +244,7 @@ static bool make_folder(const char *path, char *message, size_t size)
     return false;
 }
 
-bool report_write(const bench_results *results, const char *folder, const char *name, char *message, size_t size)
+bool report_write(const bench_results *sets, size_t set_count, const char *folder, const char *name, char *message, size_t size)
 {
     char base[128], page[4096], plots[4096];
     snprintf(base, sizeof base, "speed-and-error%s%s", name ? "-" : "", name ? name : "");
@@ -206,10 +252,11 @@ bool report_write(const bench_results *results, const char *folder, const char *
     snprintf(plots, sizeof plots, "%s/%s", folder, base);
     if (!make_folder(folder, message, size) || !make_folder(plots, message, size)) return false;
     FILE *file = fopen(page, "w");
-    if (file) write_page(file, results, base);
+    if (file) write_page(file, sets, set_count, base);
     if (!output_file_close(file, page, message, size)) return false;
     bool drawn = true;
-    for (size_t i = 0; i < results->scene_count; i++)
-        drawn = plot_draw(results, &results->scenes[i], plots, message, size) && drawn;
+    for (size_t set = 0; set < set_count; set++)
+        for (size_t i = 0; i < sets[set].scene_count; i++)
+            drawn = plot_draw(&sets[set], &sets[set].scenes[i], plots, message, size) && drawn;
     return drawn;
 }

@@ -1,6 +1,7 @@
 /* What a run of the benchmark found: see results.h. */
 #include "results.h"
 #include "message.h"
+#include "peer_multiply_add.h"
 #include "stopwatch.h"
 
 #include <stdio.h>
@@ -30,15 +31,21 @@ static void describe_processor(char *text, size_t size)
     if (file) fclose(file);
 }
 
-bench_machine machine_describe(gl_context *context)
+bool machine_describe(gl_context *context, bench_machine *machine, char *message, size_t size)
 {
     const gl_functions *gl = context_gl(context);
-    bench_machine machine = {.cores = sysconf(_SC_NPROCESSORS_ONLN)};
-    describe_processor(machine.processor, sizeof machine.processor);
-    message_write(machine.renderer, sizeof machine.renderer, "%s", (const char *)gl->GetString(GL_RENDERER));
-    message_write(machine.version, sizeof machine.version, "%s", (const char *)gl->GetString(GL_VERSION));
+    *machine = (bench_machine){.cores = sysconf(_SC_NPROCESSORS_ONLN)};
+    describe_processor(machine->processor, sizeof machine->processor);
+    message_write(machine->renderer, sizeof machine->renderer, "%s", (const char *)gl->GetString(GL_RENDERER));
+    message_write(machine->version, sizeof machine->version, "%s", (const char *)gl->GetString(GL_VERSION));
     bench_stopwatch stopwatch = stopwatch_create(context);
-    machine.has_gl_timer = stopwatch_is_gl_timer(&stopwatch);
+    machine->has_gl_timer = stopwatch_is_gl_timer(&stopwatch);
     stopwatch_destroy(&stopwatch);
-    return machine;
+    machine->multiply_adds = multiply_adds_a_millisecond(context, message, size);
+    return machine->multiply_adds > 0;
+}
+
+double results_multiply_adds(const bench_results *results, double ms)
+{
+    return results->machine.multiply_adds * ms / ((double)results->settings.width * results->settings.height);
 }
