@@ -9,7 +9,7 @@
 #include <math.h>
 
 /* SIDE: of the target, in pixels. OF_A_ROUND: multiply-adds of a pixel. */
-enum { SIDE = 512, OF_A_ROUND = 256, FRAMES = 5, MOST_ROUNDS = 1 << 18 };
+enum { SIDE = 512, OF_A_ROUND = 256, FRAMES = 15, MOST_ROUNDS = 1 << 18 };
 
 /* How long a frame should take at least, in milliseconds, so that its start and its end do not count. */
 #define LONG_ENOUGH 40.0

@@ -1,14 +1,10 @@
 /* Time against error as a picture: see plot.h. */
 #include "plot.h"
-#include "message.h"
-#include "output_file.h"
+#include "gnuplot.h"
 
-#include <errno.h>
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 /* Colours that are told apart without red or green too (Okabe and Ito). */
 static const struct {
@@ -71,21 +67,27 @@ static void write_ranges(FILE *file, const bench_results *results, const bench_s
                 pow(10, ceil(log10(errors.largest * 1.3))));
 }
 
-static void write_script(FILE *file, const bench_results *results, const bench_scene *scene)
+/* What is to be drawn. */
+typedef struct plotted_scene {
+    const bench_results *results;
+    const bench_scene *scene;
+} plotted_scene;
+
+/* `user` is a plotted_scene. */
+static void write_script(FILE *file, const void *user)
 {
+    const plotted_scene *plotted = user;
+    const bench_results *results = plotted->results;
+    const bench_scene *scene = plotted->scene;
     const measure_settings *settings = &results->settings;
     const measurement *bare = results_find(results, scene, "bare");
     size_t counts[FAMILY_BARE], drawn = 0;
     for (int family = 0; family < FAMILY_BARE; family++)
         counts[family] = write_data(file, results, scene, (integrator_family)family);
-    fputs("set terminal svg size 760,520 dynamic background 'white' font 'sans-serif,14'\n", file);
-    fprintf(file, "set output '%s.svg'\n", scene->name);
-    fprintf(file, "set title '%s' noenhanced\n", scene->name);
-    fprintf(file, "set xlabel 'milliseconds a frame of %d x %d'\nset ylabel 'largest relative error'\n", settings->width,
-            settings->height);
-    fputs("set logscale xy\nset format x '%g'\nset format y '10^{%L}'\nset grid lt 1 lw 0.5 lc rgb '#dddddd'\n"
-          "set key outside top center horizontal\n",
-          file);
+    gnuplot_begin(file, scene->name, scene->name);
+    fprintf(file,
+            "set xlabel 'milliseconds a frame of %d x %d'\nset ylabel 'largest relative error'\nset format y '10^{%%L}'\n",
+            settings->width, settings->height);
     write_ranges(file, results, scene);
     if (bare)
         fprintf(file, "set arrow from %.6g, graph 0 to %.6g, graph 1 nohead dt 2 lw 1.5 lc rgb '#666666'\n", bare->ms_median,
@@ -103,30 +105,8 @@ static void write_script(FILE *file, const bench_results *results, const bench_s
     fputs("\n", file);
 }
 
-/* Runs gnuplot on a script in `folder`; returns whether that succeeded. */
-static bool run_gnuplot(const char *folder, const char *script)
-{
-    int status = -1;
-    pid_t child = fork();
-    if (child == 0) {
-        if (chdir(folder) == 0) execlp("gnuplot", "gnuplot", script, (char *)NULL);
-        _exit(127);
-    }
-    return child > 0 && waitpid(child, &status, 0) == child && WIFEXITED(status) && WEXITSTATUS(status) == 0;
-}
-
 bool plot_draw(const bench_results *results, const bench_scene *scene, const char *folder, char *message, size_t size)
 {
-    char script[80], path[4096];
-    snprintf(script, sizeof script, "%s.gnuplot", scene->name);
-    snprintf(path, sizeof path, "%s/%s", folder, script);
-    FILE *file = fopen(path, "w");
-    if (file) write_script(file, results, scene);
-    if (!output_file_close(file, path, message, size)) return false;
-    if (run_gnuplot(folder, script)) {
-        remove(path);
-        return true;
-    }
-    message_write(message, size, "%s: gnuplot could not draw it; run it there where there is gnuplot", path);
-    return false;
+    const plotted_scene plotted = {results, scene};
+    return gnuplot_draw(folder, scene->name, write_script, &plotted, message, size);
 }

@@ -3,47 +3,20 @@
 #include "comparison.h"
 #include "message.h"
 #include "output_file.h"
+#include "page.h"
 #include "plot.h"
 
-#include <errno.h>
 #include <math.h>
 #include <stdio.h>
-#include <string.h>
-#include <sys/stat.h>
 
 /* The two integrators that the sentences and the summary compare. */
 static const char ours[] = "adaptive:1e-3", published[] = "simpson:200";
-
-/* Formats a number to two or three digits. The text is valid until the eighth call after this one. */
-static const char *number(double value)
-{
-    static char texts[8][32];
-    static int next;
-    char *text = texts[next++ % 8];
-    double magnitude = fabs(value);
-    if (value == 0 || !isfinite(value))
-        snprintf(text, sizeof texts[0], "%g", value);
-    else if (magnitude >= 1e5 || magnitude < 1e-2)
-        snprintf(text, sizeof texts[0], "%.1fe%d", value / pow(10, floor(log10(magnitude))), (int)floor(log10(magnitude)));
-    else
-        snprintf(text, sizeof texts[0], "%.*f", magnitude >= 100 ? 0 : magnitude >= 10 ? 1 : magnitude >= 1 ? 2 : 3, value);
-    return text;
-}
 
 static void write_introduction(FILE *file, const bench_results *results)
 {
     const measure_settings *settings = &results->settings;
     const bench_machine *machine = &results->machine;
-    fputs("# Speed against error\n\n"
-          "`ew-bench` wrote this page, every number and every sentence; `./run bench` writes it anew.",
-          file);
-    if (!machine->has_gl_timer)
-        fputs(
-            " This machine has no GPU: a software rasteriser drew everything, so that the times only mean something beside one "
-            "another. Ratios on a GPU differ, too.",
-            file);
-    fprintf(file, "\n\n- Machine: %s, %ld core%s; %s, OpenGL %s.\n", machine->processor, machine->cores,
-            machine->cores == 1 ? "" : "s", machine->renderer, machine->version);
+    page_begin(file, "Speed against error", "ew-bench", machine);
     fprintf(file,
             "- Time: one frame, luminance only, measured %s. All take turns. The median is over %d frames, or over fewer "
             "(at least %d) if these would take more than %g s.\n",
@@ -53,7 +26,7 @@ static void write_introduction(FILE *file, const bench_results *results)
         file,
         "- Limit: fragment shaders that do nothing but dependent multiply-adds do %s of them in a millisecond here. \"Limit\" "
         "in the tables is how many each pixel could have had in the frame's time.\n",
-        number(machine->multiply_adds));
+        page_number(machine->multiply_adds));
     fprintf(
         file,
         "- Error: relative to the luminance of a double-precision reference, or to a share of the picture's largest, "
@@ -105,9 +78,10 @@ static void write_summary(FILE *file, const bench_results *results)
         const bench_scene *scene = &results->scenes[i];
         const measurement *a = results_find(results, scene, ours), *b = results_find(results, scene, published);
         const measurement *bare = results_find(results, scene, "bare");
-        fprintf(file, "| [%s](#%s) | %s | %s | %s | %s | %s |", scene->name, scene->name, number(a->ms_median),
-                number(a->max_error), number(b->ms_median), number(b->max_error), number(b->ms_median / a->ms_median));
-        fprintf(file, " %s |\n", bare ? number(a->ms_median / bare->ms_median) : "");
+        fprintf(file, "| [%s](#%s) | %s | %s | %s | %s | %s |", scene->name, scene->name, page_number(a->ms_median),
+                page_number(a->max_error), page_number(b->ms_median), page_number(b->max_error),
+                page_number(b->ms_median / a->ms_median));
+        fprintf(file, " %s |\n", bare ? page_number(a->ms_median / bare->ms_median) : "");
     }
     fputs("\n", file);
 }
@@ -125,10 +99,10 @@ static void write_conclusion(FILE *file, const bench_results *results)
         peer_best = fmin(peer_best, b->max_error);
         peer_worst = fmax(peer_worst, b->max_error);
     }
-    fprintf(file, "On these scenes `%s` is %s to %s times as fast as `%s`. ", ours, number(slowest), number(fastest),
+    fprintf(file, "On these scenes `%s` is %s to %s times as fast as `%s`. ", ours, page_number(slowest), page_number(fastest),
             published);
-    fprintf(file, "Its largest error is %s; that of `%s` is from %s to %s.\n\n", number(worst), published, number(peer_best),
-            number(peer_worst));
+    fprintf(file, "Its largest error is %s; that of `%s` is from %s to %s.\n\n", page_number(worst), published,
+            page_number(peer_best), page_number(peer_worst));
 }
 
 /* Whether some setting of the adaptive integrator is at least as fast and as accurate. */
@@ -156,8 +130,8 @@ static void write_sentences(FILE *file, const bench_results *results, const benc
         fprintf(file,
                 "`%s` takes %s ms, with a largest error of %s; `%s` takes %s ms, with %s: %s times the speed at %s times the "
                 "accuracy.\n",
-                ours, number(a->ms_median), number(a->max_error), published, number(b->ms_median), number(b->max_error),
-                number(b->ms_median / a->ms_median), number(b->max_error / a->max_error));
+                ours, page_number(a->ms_median), page_number(a->max_error), published, page_number(b->ms_median),
+                page_number(b->max_error), page_number(b->ms_median / a->ms_median), page_number(b->max_error / a->max_error));
     size_t peers = 0, unbeaten = 0;
     for (size_t i = 0; i < settings->integrator_count; i++) {
         const measurement *peer = &scene->measurements.integrators[i];
@@ -166,7 +140,8 @@ static void write_sentences(FILE *file, const bench_results *results, const benc
         if (is_beaten(results, scene, peer)) continue;
         fprintf(file, "%s `%s` (%s ms, with errors up to %s, and up to %s at 99 %% of the pixels)",
                 unbeaten++ == 0 ? "No setting of this library is both faster and more accurate than" : ",",
-                settings->integrators[i].name, number(peer->ms_median), number(peer->max_error), number(peer->p99_error));
+                settings->integrators[i].name, page_number(peer->ms_median), page_number(peer->max_error),
+                page_number(peer->p99_error));
     }
     if (unbeaten > 0 && unbeaten < peers)
         fprintf(file, ". Each of the other %zu of its %zu peers is slower and less accurate than some setting.\n\n",
@@ -181,14 +156,14 @@ static void write_sentences(FILE *file, const bench_results *results, const benc
 
 static void write_row(FILE *file, const bench_results *results, const bench_integrator *integrator, const measurement *row)
 {
-    fprintf(file, "| `%s` | %s | %s | %d | %s |", integrator->name, number(row->ms_median), number(row->ms_min),
-            row->repetitions, number(results_multiply_adds(results, row->ms_median)));
+    fprintf(file, "| `%s` | %s | %s | %d | %s |", integrator->name, page_number(row->ms_median), page_number(row->ms_min),
+            row->repetitions, page_number(results_multiply_adds(results, row->ms_median)));
     if (integrator->family == FAMILY_BARE) {
         fputs(" | | | |\n", file);
         return;
     }
-    fprintf(file, " %s |", integrator_counts_evaluations(integrator) ? number(row->evaluations_per_pixel) : "");
-    fprintf(file, " %s | %s | %.2f |\n", number(row->max_error), number(row->p99_error), row->brightness);
+    fprintf(file, " %s |", integrator_counts_evaluations(integrator) ? page_number(row->evaluations_per_pixel) : "");
+    fprintf(file, " %s | %s | %.2f |\n", page_number(row->max_error), page_number(row->p99_error), row->brightness);
 }
 
 static void write_table(FILE *file, const bench_results *results, const bench_scene *scene)
@@ -237,26 +212,16 @@ static void write_page(FILE *file, const bench_results *sets, size_t set_count, 
     }
 }
 
-static bool make_folder(const char *path, char *message, size_t size)
-{
-    if (mkdir(path, 0777) == 0 || errno == EEXIST) return true;
-    message_write(message, size, "%s: cannot be made a folder (%s)", path, strerror(errno));
-    return false;
-}
-
 bool report_write(const bench_results *sets, size_t set_count, const char *folder, const char *name, char *message, size_t size)
 {
-    char base[128], page[4096], plots[4096];
-    snprintf(base, sizeof base, "speed-and-error%s%s", name ? "-" : "", name ? name : "");
-    snprintf(page, sizeof page, "%s/%s.md", folder, base);
-    snprintf(plots, sizeof plots, "%s/%s", folder, base);
-    if (!make_folder(folder, message, size) || !make_folder(plots, message, size)) return false;
-    FILE *file = fopen(page, "w");
-    if (file) write_page(file, sets, set_count, base);
-    if (!output_file_close(file, page, message, size)) return false;
+    page_paths paths;
+    if (!page_make_folders("speed-and-error", folder, name, &paths, message, size)) return false;
+    FILE *file = fopen(paths.page, "w");
+    if (file) write_page(file, sets, set_count, paths.base);
+    if (!output_file_close(file, paths.page, message, size)) return false;
     bool drawn = true;
     for (size_t set = 0; set < set_count; set++)
         for (size_t i = 0; i < sets[set].scene_count; i++)
-            drawn = plot_draw(&sets[set], &sets[set].scenes[i], plots, message, size) && drawn;
+            drawn = plot_draw(&sets[set], &sets[set].scenes[i], paths.plots, message, size) && drawn;
     return drawn;
 }
