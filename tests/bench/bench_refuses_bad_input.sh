@@ -21,7 +21,8 @@ for size in 0x1 1x0 1 1x1x1 9000x1 axb ''; do
     refuses '--size' "$scene" --size "$size"
 done
 for list in '' adaptive adaptive:1e-5 simpson:3 simpson:0 simpson:5000 marching marching:0 marching:x newton:3 bare:1 \
-    bare,bare simpson:2,,simpson:4 'bare,'; do
+    bare,bare simpson:2,,simpson:4 'bare,' ribbon ribbon:0 billboards:5000 \
+    half-marching:0; do
     refuses '--integrators' "$scene" --integrators "$list"
 done
 refuses '--repetitions' "$scene" --repetitions 2
@@ -33,6 +34,9 @@ refuses '--nonsense' "$scene" --nonsense
 refuses '-z: is' "$scene" -z
 refuses '--help=please: is' --help=please
 refuses '--csv' "$scene" --csv
+for peer in billboards:64 ribbon:64; do
+    refuses 'need.*a reach' "$scene" --size 8x8 --integrators $peer
+done
 refuses 'nowhere.json' nowhere.json --size 8x8
 refuses 'nowhere/table.csv' "$scene" --size 8x8 --csv nowhere/table.csv
 refuses 'rename' "$scene" "$scene"

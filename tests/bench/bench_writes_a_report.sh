@@ -10,7 +10,7 @@ scene=$(basename "$2" .json)
 test "$(ls docs docs/speed-and-error-test | tr '\n' ' ')" = \
     "docs: speed-and-error-test speed-and-error-test.md  docs/speed-and-error-test: $scene.svg "
 page=docs/speed-and-error-test.md
-grep -q "^## $scene\$" $page
+grep -q "^### $scene\$" $page
 grep -q "(speed-and-error-test/$scene.svg)" $page
 grep -q '^`adaptive:1e-3` takes .* times the speed at .* times the accuracy\.$' $page
 for name in bare adaptive:1e-2 adaptive:1e-3 simpson:16 simpson:200 marching:16 equiangular:16; do
