@@ -11,7 +11,7 @@
 #include <time.h>
 
 /* A sweep ends where a frame takes longer, in milliseconds. */
-#define LONGEST_FRAME 8000.0
+#define LONGEST_FRAME 4000.0
 
 static const ew_resolution resolutions[] = {EW_RESOLUTION_ADAPTIVE, EW_RESOLUTION_FULL};
 

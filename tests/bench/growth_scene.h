@@ -8,7 +8,7 @@
 #include "render.h"
 #include "scene.h"
 
-/* Beams that are strewn over what a camera sees, always the same: `paths` and `ends` are for growth_scene_free. */
+/* Beams that are strewn over what a camera sees, always the same. */
 typedef struct strewn_beams {
     demo_scene scene;
     ew_path *paths;

@@ -9,22 +9,22 @@
 /* Of the places between which the length is measured. */
 enum { LENGTH_PARTS = 256 };
 
-/* An endless line is drawn this far to both sides of the place where the camera looks, or reaches. */
+/* How much of an endless line is drawn, in reaches to both sides of the place nearest to the middle of the view. */
 #define LINE_REACHES 8
 
-/* Where the kinds' places are asked for. Only an endless line needs to know what the camera sees. */
+/* Only an endless line needs to know what the camera sees: the middle of the view, as far away as the line's position is. */
 static void place_in_world(const outline *shape, double u, double result[3])
 {
     const double *m = shape->view;
     source_view view = {.length = LINE_REACHES * shape->light.reach};
-    double to_eye[3];
+    double eye[3];
     for (int i = 0; i < 3; i++)
-        to_eye[i] = -(m[4 * i] * m[12] + m[4 * i + 1] * m[13] + m[4 * i + 2] * m[14]);
+        eye[i] = -(m[4 * i] * m[12] + m[4 * i + 1] * m[13] + m[4 * i + 2] * m[14]);
     double distance = 0;
     for (int i = 0; i < 3; i++)
-        distance -= m[4 * i + 2] * (source_position(shape->kind, shape->source)[i] - to_eye[i]);
+        distance -= m[4 * i + 2] * (source_position(shape->kind, shape->source)[i] - eye[i]);
     for (int i = 0; i < 3; i++)
-        view.middle[i] = to_eye[i] - distance * m[4 * i + 2];
+        view.middle[i] = eye[i] - distance * m[4 * i + 2];
     shape->kind->place(shape->source, &view, u, result);
 }
 
