@@ -204,6 +204,7 @@ static bool run(const command_line *options, bench_results *sets, size_t set_cou
 /* Scenes to measure, and by which integrators unless the options name others. */
 typedef struct scene_set {
     const char *title;
+    bool is_frames;
     const char *pattern; /* of their files, for glob; NULL for those that the options name */
     const char *integrators;
     int width, height;
@@ -211,16 +212,17 @@ typedef struct scene_set {
 } scene_set;
 
 static const scene_set own_sets[] = {
-    {"Whole frames", EW_BENCH_FRAMES "/*.json", integrator_frame_list, 1920, 1080, TRUTH_DARK_INTERPOLATED},
-    {"The papers' integral", EW_BENCH_SCENES "/*.json", integrator_default_list, 512, 512, TRUTH_DARK},
+    {"Whole frames", true, EW_BENCH_FRAMES "/*.json", integrator_frame_list, 1920, 1080, TRUTH_DARK_INTERPOLATED},
+    {"The papers' integral", false, EW_BENCH_SCENES "/*.json", integrator_default_list, 512, 512, TRUTH_DARK},
 };
-static const scene_set named_set = {"Scenes", NULL, integrator_default_list, 512, 512, TRUTH_DARK};
+static const scene_set named_set = {"Scenes", false, NULL, integrator_default_list, 512, 512, TRUTH_DARK};
 
 /* Fills in what is to be measured; free_set frees it. `found` keeps the names of the files. */
 static bool make_set(const scene_set *set, const command_line *options, glob_t *found, bench_results *results, char *message,
                      size_t size)
 {
     *results = (bench_results){.title = set->title,
+                               .is_frames = set->is_frames,
                                .settings = {.width = options->width > 0 ? options->width : set->width,
                                             .height = options->height > 0 ? options->height : set->height,
                                             .repetitions = options->repetitions,

@@ -19,9 +19,9 @@ double profile_across(const source_light *light, double b);
 void profile_of_ribbon(const source_light *light, float texels[PROFILE_TEXELS]);
 
 /* The falloffs of billboards that stand `spacing` apart along a beam and add up, and of one more at each end of it, where there
- * is as much light all around. They are those, neither negative nor rising, whose sum is nearest to the luminance of a beam
- * that is seen from the side, by least squares of the error relative to max(luminance, 3 % of the middle's), over places across
- * the beam and along it: from one billboard to the next, and around an end. */
+ * is as much light all around. Each is the one, neither negative nor rising, with which the sum is nearest to the luminance of
+ * a beam that is seen from the side, by least squares of the error relative to max(luminance, 3 % of the middle's): first that
+ * along the beam, over places across it and from one billboard to the next, then that of the ends, over places around one. */
 void profiles_of_billboards(const source_light *light, double spacing, float along[PROFILE_TEXELS], float end[PROFILE_TEXELS]);
 
 #endif

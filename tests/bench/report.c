@@ -12,11 +12,11 @@
 /* The two integrators that the sentences and the summary compare. */
 static const char ours[] = "adaptive:1e-3", published[] = "simpson:200";
 
-static void write_introduction(FILE *file, const bench_results *results)
+static void write_measures(FILE *file, const bench_results *results)
 {
     const measure_settings *settings = &results->settings;
     const bench_machine *machine = &results->machine;
-    page_begin(file, "Speed against error", "ew-bench", machine);
+    fputs("## What is measured\n\n", file);
     fprintf(file,
             "- Time: one frame, luminance only, measured %s. All take turns. The median is over %d frames, or over fewer "
             "(at least %d) if these would take more than %g s.\n",
@@ -84,6 +84,28 @@ static void write_summary(FILE *file, const bench_results *results)
         fprintf(file, " %s |\n", bare ? page_number(a->ms_median / bare->ms_median) : "");
     }
     fputs("\n", file);
+}
+
+/* All that is compared on all scenes. */
+static void write_overview(FILE *file, const bench_results *results)
+{
+    const measure_settings *settings = &results->settings;
+    fputs("Milliseconds a frame and, in brackets, the error that 99 % of the pixels are below:\n\n| drawn by |", file);
+    for (size_t i = 0; i < results->scene_count; i++)
+        fprintf(file, " [%s](#%s) |", results->scenes[i].name, results->scenes[i].name);
+    fputs("\n|---|", file);
+    for (size_t i = 0; i < results->scene_count; i++)
+        fputs("--:|", file);
+    for (size_t k = 0; k < settings->integrator_count; k++) {
+        fprintf(file, "\n| `%s` |", settings->integrators[k].name);
+        for (size_t i = 0; i < results->scene_count; i++) {
+            const measurement *cell = &results->scenes[i].measurements.integrators[k];
+            fprintf(file, " %s", page_number(cell->ms_median));
+            if (settings->integrators[k].family != FAMILY_BARE) fprintf(file, " (%s)", page_number(cell->p99_error));
+            fputs(" |", file);
+        }
+    }
+    fputs("\n\n", file);
 }
 
 /* Sums up the table. */
@@ -180,17 +202,22 @@ static void write_table(FILE *file, const bench_results *results, const bench_sc
     fputs("\n", file);
 }
 
-static void write_set(FILE *file, const bench_results *results, const char *base)
+static void write_head(FILE *file, const bench_results *results)
 {
     const measure_settings *settings = &results->settings;
     fprintf(file,
             "## %s\n\nFrames of %d x %d pixels. Errors are relative to %g of the picture's largest luminance at the least.\n\n",
             results->title, settings->width, settings->height, settings->dark);
-    if (results->scene_count > 1 && results_find(results, &results->scenes[0], ours) &&
-        results_find(results, &results->scenes[0], published)) {
+    if (results->is_frames) {
+        write_overview(file, results);
+    } else if (results_find(results, &results->scenes[0], ours) && results_find(results, &results->scenes[0], published)) {
         write_summary(file, results);
         write_conclusion(file, results);
     }
+}
+
+static void write_scenes(FILE *file, const bench_results *results, const char *base)
+{
     for (size_t i = 0; i < results->scene_count; i++) {
         const bench_scene *scene = &results->scenes[i];
         fprintf(file, "### %s\n\n", scene->name);
@@ -202,13 +229,20 @@ static void write_set(FILE *file, const bench_results *results, const char *base
     }
 }
 
-/* The first set has the first word: what frames cost. */
+/* What the first set costs comes first, then what the figures are. */
 static void write_page(FILE *file, const bench_results *sets, size_t set_count, const char *base)
 {
-    write_introduction(file, &sets[0]);
+    page_begin(file, "Speed against error", "ew-bench", &sets[0].machine);
+    fputs("\n", file);
+    write_head(file, &sets[0]);
+    write_measures(file, &sets[0]);
+    write_glossary(file);
     for (size_t i = 0; i < set_count; i++) {
-        write_set(file, &sets[i], base);
-        if (i == 0) write_glossary(file);
+        if (i == 0)
+            fprintf(file, "## %s: scene by scene\n\n", sets[i].title);
+        else
+            write_head(file, &sets[i]);
+        write_scenes(file, &sets[i], base);
     }
 }
 

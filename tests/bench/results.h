@@ -24,6 +24,7 @@ typedef struct bench_machine {
 /* Of scenes that are measured alike. */
 typedef struct bench_results {
     const char *title;
+    bool is_frames; /* as games have them, to be summed up by all that is compared */
     measure_settings settings;
     bench_machine machine;
     bench_scene *scenes;
