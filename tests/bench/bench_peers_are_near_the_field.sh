@@ -1,6 +1,7 @@
 #!/bin/sh
-# What games draw instead of the field is near it: no pixel is negative or no number, all light together is within a fifth of what
-# it ought to be, and most pixels are within their bounds. A peer that draws nothing fails, as does one that draws in the wrong place.
+# What games draw instead of the field is near it: no pixel is negative or no number, all light together is within a fifth of
+# what it ought to be, and most pixels are within their bounds. A peer that draws nothing fails, as does one that draws in the
+# wrong place.
 # Usage: bench_peers_are_near_the_field.sh EW_BENCH SCENE...
 bench=$1
 shift

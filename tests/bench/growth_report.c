@@ -29,13 +29,14 @@ static void write_sweep(FILE *file, const growth_sweep *sweep, const char *base)
             sweep->x_title);
     for (int i = 0; sweep->series[i]; i++)
         fprintf(file, " %s, %s |", sweep->series[i], sweep->y_title);
-    fprintf(file, "%s%s\n|--:|", sweep->beside ? " " : "", sweep->beside ? sweep->beside : "");
+    if (sweep->beside) fprintf(file, " %s |", sweep->beside);
+    fputs("\n|--:|", file);
     for (int i = 0; sweep->series[i]; i++)
         fputs("--:|", file);
     fputs(sweep->beside ? "--:|\n" : "\n", file);
     for (size_t k = 0; k < sweep->count; k++) {
         const growth_point *point = &sweep->points[k];
-        fprintf(file, "| %.6g |", point->x);
+        fprintf(file, "| %.7g |", point->x);
         for (int i = 0; sweep->series[i]; i++)
             fprintf(file, " %s |", page_number(point->y[i]));
         if (sweep->beside) fprintf(file, " %s |", page_number(point->beside));

@@ -1,6 +1,6 @@
 #version 330 core
-// Depth-aware upsampling, a joint bilateral filter (Kopf et al. 2007): the four samples around a pixel, each by how near to the pixel
-// it is on the screen and in depth. Where none is near in depth, the nearest one counts.
+// Depth-aware upsampling, a joint bilateral filter (Kopf et al. 2007): the four samples around a pixel, each by how near to the
+// pixel it is on the screen and in depth. Where none is near in depth, the nearest one counts.
 uniform sampler2D light;
 uniform sampler2D half_depth;
 uniform sampler2D depth;
