@@ -15,6 +15,7 @@
 struct peer_sampled {
     ew_device device;
     ew_sources sources;
+    ew_tile_lists lists;
     ew_plan plan;
     ew_frame_desc frame;
     GLuint vertex_array;
@@ -30,18 +31,24 @@ static const ew_integrator_text *text_of(integrator_family family)
     return family == FAMILY_EQUIANGULAR ? &equiangular : &marching;
 }
 
-/* Returns the program of a family and an output, compiled if this is the first time; 0 with a message on failure. */
-static GLuint get_program(peer_sampled *peer, integrator_family family, ew_output output, char *message, size_t size)
+/* The shader's key: with lists of the sources by tile, if the library has them for these. */
+static unsigned key_of(const peer_sampled *peer, ew_output output)
 {
-    ew_program *program = &peer->programs[family][output == EW_OUTPUT_EVALUATIONS];
-    if (program->name) return program->name;
     ew_frame_desc frame = peer->frame;
     frame.output = output;
     const ew_mix mix = ew_sources_mix(&peer->sources);
     unsigned key = ew_permutation_with_depth(ew_permutation_of(&mix, &frame),
                                              frame.depth_texture ? EW_DEPTH_KIND_SINGLE : EW_DEPTH_KIND_NONE);
+    return peer->plan.lists ? ew_permutation_with_lists(key) : key;
+}
+
+/* Returns the program of a family and an output, compiled if this is the first time; 0 with a message on failure. */
+static GLuint get_program(peer_sampled *peer, integrator_family family, ew_output output, char *message, size_t size)
+{
+    ew_program *program = &peer->programs[family][output == EW_OUTPUT_EVALUATIONS];
+    if (program->name) return program->name;
     ew_error error;
-    ew_result result = ew_program_start(&peer->device.gl, EW_PASS_WAVE, key, text_of(family), program, &error);
+    ew_result result = ew_program_start(&peer->device.gl, EW_PASS_WAVE, key_of(peer, output), text_of(family), program, &error);
     if (result == EW_OK) result = ew_program_finish(&peer->device.gl, program, &error);
     if (result == EW_OK) return program->name;
     message_write(message, size, "%s: %s", integrator_family_names[family], error.text);
@@ -69,6 +76,8 @@ peer_sampled *peer_sampled_create(gl_context *context, const ew_sources_desc *so
     made->device.gl.GenVertexArrays(1, &made->vertex_array);
     result = ew_sources_set(&made->sources, sources, &ew_default_allocator, &error);
     if (result == EW_OK) result = ew_plan_frame(&made->plan, &made->sources, NULL, frame, &error);
+    if (result == EW_OK)
+        result = ew_plan_lists(&made->plan, &made->lists, &made->sources, frame, &ew_default_allocator, &error);
     if (result == EW_OK) return made;
     message_write(message, size, "%s", error.text);
     peer_sampled_destroy(made);
@@ -85,6 +94,7 @@ void peer_sampled_destroy(peer_sampled *peer)
     gl->DeleteVertexArrays(1, &peer->vertex_array);
     ew_device_destroy(&peer->device);
     ew_device_abandon(&peer->device, &ew_default_allocator);
+    ew_destroy_tile_lists(&peer->lists, &ew_default_allocator);
     ew_sources_destroy(&peer->sources, &ew_default_allocator);
     free(peer);
 }
@@ -98,6 +108,7 @@ bool peer_sampled_draw(peer_sampled *peer, integrator_family family, int samples
 
     gl->BindFramebuffer(GL_FRAMEBUFFER, frame->framebuffer);
     gl->Viewport(frame->viewport_x, frame->viewport_y, frame->viewport_width, frame->viewport_height);
+    ew_source_textures_bind(&peer->device.source_textures, gl, &peer->plan, key_of(peer, output));
     gl->ActiveTexture(GL_TEXTURE0 + EW_GL_DEPTH_TEXTURE_UNIT);
     gl->BindTexture(GL_TEXTURE_2D, frame->depth_texture);
     peer->plan.uniforms.frame.simpson.x = samples;

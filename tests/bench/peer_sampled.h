@@ -1,7 +1,7 @@
 /*
  * Peers that sample the field along each pixel's ray: uniform marching and equiangular sampling. They draw what the library
- * draws, with the library's rays, uniform blocks and sum over the sources, and peer_*.glsl in place of its integrators. The
- * uniform blocks of the sources are uploaded once and no state is saved, both in the peers' favour.
+ * draws, with its rays, its uniform blocks, its lists of sources by tile and its sum over the sources, and peer_*.glsl in place
+ * of its integrators. The lists are made once and no state is saved, both in the peers' favour.
  */
 #ifndef PEER_SAMPLED_H
 #define PEER_SAMPLED_H
