@@ -39,6 +39,7 @@ void gnuplot_begin(FILE *script, const char *name, const char *title)
 {
     fputs("set terminal svg size 760,520 dynamic background 'white' font 'sans-serif,14'\n", script);
     fprintf(script, "set output '%s.svg'\nset title '%s' noenhanced\n", name, title);
-    fputs("set logscale xy\nset format x '%g'\nset grid lt 1 lw 0.5 lc rgb '#dddddd'\nset key outside top center horizontal\n",
+    fputs("set logscale xy\nset format x '%g'\nset grid lt 1 lw 0.5 lc rgb '#dddddd'\nset key outside top center horizontal "
+          "samplen 2\n",
           script);
 }

@@ -33,12 +33,13 @@ static bool time_both(const growth_run *run, growth_frame *frame, growth_point *
     return true;
 }
 
-/* Whether the sweep goes on after its last point. */
+/* Whether the sweep goes on: not if its last frame took too long. */
 static bool goes_on(growth_sweep *sweep)
 {
+    if (sweep->count == 0) return true;
     const growth_point *last = &sweep->points[sweep->count - 1];
     if (fmax(last->y[0], last->y[1]) < LONGEST_FRAME) return true;
-    message_write(sweep->end, sizeof sweep->end, "A frame took more than %g s.", LONGEST_FRAME / 1000);
+    message_write(sweep->end, sizeof sweep->end, "There it ends, since a frame took more than %g s.", LONGEST_FRAME / 1000);
     return false;
 }
 
@@ -55,7 +56,7 @@ static bool measure_pixels(const growth_run *run, growth_sweep *sweep)
                             .series = {"adaptive", "full", NULL}};
     for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++) {
         int width = sizes[i][0], height = sizes[i][1];
-        if (width > run->settings->largest_side) break;
+        if (width > run->settings->largest_side || !goes_on(sweep)) break;
         progress_show("growth: %d x %d pixels", width, height);
         growth_point *point = &sweep->points[sweep->count];
         growth_frame frame;
@@ -67,7 +68,6 @@ static bool measure_pixels(const growth_run *run, growth_sweep *sweep)
         growth_frame_destroy(&frame);
         if (!ok) return false;
         sweep->count++;
-        if (!goes_on(sweep)) break;
     }
     return true;
 }
@@ -111,11 +111,11 @@ static bool measure_sources(const growth_run *run, growth_sweep *sweep)
         .y_title = "milliseconds a frame",
         .series = {"adaptive", "full", NULL},
         .beside = "lit share of the picture"};
-    for (int count = 1; count <= 4096 && count <= run->settings->largest_count; count *= 4) {
+    for (int count = 1; count <= 4096 && count <= run->settings->largest_count && goes_on(sweep); count *= 4) {
         bool fits;
         progress_show("growth: %d beams", count);
         if (!measure_beams(run, (size_t)count, 0.25, count, sweep, &fits)) return false;
-        if (!fits || !goes_on(sweep)) break;
+        if (!fits) break;
     }
     return true;
 }
@@ -130,11 +130,11 @@ static bool measure_coverage(const growth_run *run, growth_sweep *sweep)
                             .y_title = "milliseconds a frame",
                             .series = {"adaptive", "full", NULL},
                             .beside = "lit share of the picture"};
-    for (double reach = 9.0 / 512; reach <= 9.0; reach *= 2) {
+    for (double reach = 9.0 / 512; reach <= 9.0 && goes_on(sweep); reach *= 2) {
         bool fits;
         progress_show("growth: a reach of %g of the picture's height", reach / 9);
         if (!measure_beams(run, BEAMS, reach, reach / 9, sweep, &fits)) return false;
-        if (!fits || !goes_on(sweep)) break;
+        if (!fits) break;
     }
     return true;
 }
@@ -153,7 +153,7 @@ static bool measure_samples(const growth_run *run, growth_sweep *sweep)
                             .x_title = "samples a pixel",
                             .y_title = "milliseconds a frame",
                             .series = {"adaptive", "full", NULL}};
-    for (int samples = 1; samples <= 8; samples *= 2) {
+    for (int samples = 1; samples <= 8 && goes_on(sweep); samples *= 2) {
         if (samples > color || samples > depth) {
             message_write(sweep->end, sizeof sweep->end, "This GL has targets of %d samples at the most.", samples / 2);
             break;
@@ -169,7 +169,6 @@ static bool measure_samples(const growth_run *run, growth_sweep *sweep)
         growth_frame_destroy(&frame);
         if (!ok) return false;
         sweep->count++;
-        if (!goes_on(sweep)) break;
     }
     return true;
 }
@@ -183,12 +182,21 @@ static double now_microseconds(void)
     return (double)time.tv_sec * 1e6 + (double)time.tv_nsec * 1e-3;
 }
 
+/* Lets the frames draw a single pixel, so that a software rasteriser, too, has nothing to do; or all of them again. */
+static void set_scissor(const growth_run *run, bool is_on)
+{
+    const gl_functions *gl = context_gl(run->context);
+    ((PFNGLSCISSORPROC)context_get_proc_address(run->context, "glScissor"))(0, 0, 1, 1);
+    (is_on ? gl->Enable : gl->Disable)(GL_SCISSOR_TEST);
+}
+
 /* The median of what the thread needs for ew_set_sources and ew_draw, and the bytes that it uploads a frame. */
 static bool time_calls(const growth_run *run, const demo_scene *scene, growth_frame *frame, growth_point *point)
 {
     enum { CALLS = 101 };
     double set[CALLS], draw[CALLS];
     ew_error error;
+    frame->desc.resolution = EW_RESOLUTION_FULL;
     for (int i = -1; i < CALLS; i++) {
         double start = now_microseconds();
         bool ok = ew_set_sources(frame->effect, &scene->sources, &error) == EW_OK;
@@ -218,8 +226,8 @@ static bool measure_processor(const growth_run *run, growth_sweep *sweep)
     *sweep = (growth_sweep){
         .name = "processor",
         .title = "The processor",
-        .sentence = "What the sources of a frame cost the thread that draws, onto a single pixel: the same beams, set "
-                    "anew in every frame.",
+        .sentence = "What the sources of a frame cost the thread that draws: the same beams, set anew in every frame, behind a "
+                    "scissor of a single pixel.",
         .x_title = "beams",
         .y_title = "microseconds a frame",
         .series = {"ew_set_sources", "ew_draw", NULL},
@@ -232,13 +240,15 @@ static bool measure_processor(const growth_run *run, growth_sweep *sweep)
             message_write(run->message, run->size, "the beams do not fit into memory");
             return false;
         }
-        ew_result result = growth_frame_create(run->context, &beams.scene, 1, 1, 1, upload_counter_get_proc_address, &frame,
-                                               run->message, run->size);
+        ew_result result = growth_frame_create(run->context, &beams.scene, run->settings->width, run->settings->height, 1,
+                                               upload_counter_get_proc_address, &frame, run->message, run->size);
         bool ok = result == EW_OK;
         if (ok) {
             growth_point *point = &sweep->points[sweep->count++];
             point->x = count;
+            set_scissor(run, true);
             ok = time_calls(run, &beams.scene, &frame, point);
+            set_scissor(run, false);
             growth_frame_destroy(&frame);
         }
         strewn_beams_free(&beams);
@@ -271,8 +281,9 @@ bool growth_measure(gl_context *context, const growth_settings *settings, growth
 
 double growth_exponent(const growth_sweep *sweep, size_t series)
 {
-    double n = (double)sweep->count, x = 0, y = 0, xx = 0, xy = 0;
-    for (size_t i = 0; i < sweep->count; i++) {
+    size_t first = (sweep->count - 1) / 2;
+    double n = (double)(sweep->count - first), x = 0, y = 0, xx = 0, xy = 0;
+    for (size_t i = first; i < sweep->count; i++) {
         double a = log(sweep->points[i].x), b = log(sweep->points[i].y[series]);
         x += a / n;
         y += b / n;

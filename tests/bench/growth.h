@@ -46,7 +46,8 @@ enum { GROWTH_SWEEPS = 5 };
 bool growth_measure(gl_context *context, const growth_settings *settings, growth_sweep sweeps[GROWTH_SWEEPS], char *message,
                     size_t size);
 
-/* The exponent p of the power law y ~ x^p that is nearest to a series in the sense of least squares of logarithms. */
+/* The exponent p of the power law y ~ x^p that is nearest to the upper half of a series by least squares of logarithms: below,
+ * what does not grow hides what does. */
 double growth_exponent(const growth_sweep *sweep, size_t series);
 
 #endif

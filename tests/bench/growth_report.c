@@ -12,15 +12,15 @@ static const char *const colors[GROWTH_SERIES] = {"#0072b2", "#d55e00", "#009e73
 static void write_introduction(FILE *file, const growth_settings *settings, const bench_machine *machine)
 {
     page_begin(file, "How a frame's time grows", "ew-bench-growth", machine);
-    fprintf(
-        file,
-        "- Frames have %d x %d pixels where nothing else is said, and are drawn onto half floats, added to what is there.\n"
-        "- Time: the median of frames of about a second in all, %s.\n"
-        "- Exponent: p of the power law y ~ x^p that is nearest by least squares of logarithms. 0: no growth; 1: twice as many "
-        "take twice as long.\n\n"
-        "What a frame costs beside what others draw is in [Speed against error](speed-and-error.md).\n\n",
-        settings->width, settings->height,
-        machine->has_gl_timer ? "by GL's own timer" : "by the wall clock from `glFinish` to `glFinish`");
+    fprintf(file,
+            "- Frames have %d x %d pixels where nothing else is said, and are drawn onto half floats, added to what is there.\n"
+            "- Time: the median of frames of about a second in all, %s.\n"
+            "- Exponent: p of the power law y ~ x^p that is nearest to the upper half of the points, by least squares of "
+            "logarithms. 0: "
+            "no growth; 1: twice as many take twice as long.\n\n"
+            "What a frame costs beside what others draw is in [Speed against error](speed-and-error.md).\n\n",
+            settings->width, settings->height,
+            machine->has_gl_timer ? "by GL's own timer" : "by the wall clock from `glFinish` to `glFinish`");
 }
 
 static void write_sweep(FILE *file, const growth_sweep *sweep, const char *base)

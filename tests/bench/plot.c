@@ -15,7 +15,7 @@ static const struct {
     [FAMILY_SIMPSON] = {"Simpson", "#d55e00", "lw 1.5 pt 5 ps 0.6"},
     [FAMILY_MARCHING] = {"uniform marching", "#009e73", "lw 1.5 pt 9 ps 0.7"},
     [FAMILY_EQUIANGULAR] = {"equiangular sampling", "#cc79a7", "lw 1.5 pt 11 ps 0.7"},
-    [FAMILY_HALF_MARCHING] = {"marching at half resolution", "#009e73", "lw 1.5 dt 2 pt 8 ps 0.8"},
+    [FAMILY_HALF_MARCHING] = {"half marching", "#009e73", "lw 1.5 dt 2 pt 8 ps 0.8"},
     [FAMILY_BILLBOARDS] = {"billboards", "#e69f00", "lw 1.5 pt 13 ps 0.9"},
     [FAMILY_RIBBON] = {"ribbon", "#999999", "lw 1.5 pt 3 ps 0.9"},
 };

@@ -62,9 +62,11 @@ static void write_glossary(FILE *file)
         "- `equiangular:N`: N samples at equal angles about the point of each source that is nearest to the ray, as in path "
         "tracers. This is made for light that falls off with the square of the distance.\n"
         "- `bare`: a pass over the same target that only writes a constant.\n\n"
-        "The peers are told the sources once, for nothing; this library is told them every frame. Sprites and ribbons work for "
-        "sources "
-        "that have a reach, so the scenes of the papers' integral have none.\n\n",
+        "What the peers need of the sources is prepared once, outside of the time; this library packs them in every frame. "
+        "Marching "
+        "gets this library's lists of which sources light which tile of the picture. Sprites and ribbons need sources that "
+        "have a "
+        "reach, so the scenes of the papers' integral have none.\n\n",
         file);
 }
 

@@ -3,8 +3,6 @@
 
 #include <string.h>
 
-enum { TEXEL = 16 };
-
 static size_t bytes;
 static PFNGLBUFFERDATAPROC BufferData;
 static PFNGLBUFFERSUBDATAPROC BufferSubData;
@@ -25,7 +23,7 @@ static void APIENTRY count_buffer_sub_data(GLenum target, GLintptr offset, GLsiz
 static void APIENTRY count_tex_sub_image_2d(GLenum target, GLint level, GLint x, GLint y, GLsizei width, GLsizei height,
                                             GLenum format, GLenum type, const void *pixels)
 {
-    bytes += (size_t)width * (size_t)height * TEXEL;
+    bytes += (size_t)width * (size_t)height * (format == GL_RGBA || format == GL_RGBA_INTEGER ? 16 : 4);
     TexSubImage2D(target, level, x, y, width, height, format, type, pixels);
 }
 
