@@ -55,6 +55,17 @@ static GLuint get_program(peer_sampled *peer, integrator_family family, ew_outpu
     return 0;
 }
 
+/* What ew_execute does for the library's own integrators. */
+static void upload_lists(const peer_sampled *peer)
+{
+    const ew_gl *gl = &peer->device.gl;
+    const ew_tile_lists *lists = &peer->lists;
+    gl->BindBuffer(GL_UNIFORM_BUFFER, peer->device.list_buffer);
+    gl->BufferData(GL_UNIFORM_BUFFER, (GLsizeiptr)(ew_gl_dialect(gl).list_size * sizeof(ew_vec4)), NULL, GL_STATIC_DRAW);
+    gl->BufferSubData(GL_UNIFORM_BUFFER, 0, (GLsizeiptr)((lists->entry_count + 1) / 2 * sizeof *lists->words), lists->words);
+    gl->BindBuffer(GL_UNIFORM_BUFFER, 0);
+}
+
 peer_sampled *peer_sampled_create(gl_context *context, const ew_sources_desc *sources, const ew_frame_desc *frame,
                                   char *message, size_t size)
 {
@@ -76,8 +87,10 @@ peer_sampled *peer_sampled_create(gl_context *context, const ew_sources_desc *so
     made->device.gl.GenVertexArrays(1, &made->vertex_array);
     result = ew_sources_set(&made->sources, sources, &ew_default_allocator, &error);
     if (result == EW_OK) result = ew_plan_frame(&made->plan, &made->sources, NULL, frame, &error);
+    size_t most = ew_gl_dialect(&made->device.gl).list_size * EW_LIST_ENTRIES_IN_UNIT;
     if (result == EW_OK)
-        result = ew_plan_lists(&made->plan, &made->lists, &made->sources, frame, &ew_default_allocator, &error);
+        result = ew_plan_lists(&made->plan, &made->lists, &made->sources, frame, most, &ew_default_allocator, &error);
+    if (result == EW_OK && made->plan.lists) upload_lists(made);
     if (result == EW_OK) return made;
     message_write(message, size, "%s", error.text);
     peer_sampled_destroy(made);
@@ -108,7 +121,6 @@ bool peer_sampled_draw(peer_sampled *peer, integrator_family family, int samples
 
     gl->BindFramebuffer(GL_FRAMEBUFFER, frame->framebuffer);
     gl->Viewport(frame->viewport_x, frame->viewport_y, frame->viewport_width, frame->viewport_height);
-    ew_source_textures_bind(&peer->device.source_textures, gl, &peer->plan, key_of(peer, output));
     gl->ActiveTexture(GL_TEXTURE0 + EW_GL_DEPTH_TEXTURE_UNIT);
     gl->BindTexture(GL_TEXTURE_2D, frame->depth_texture);
     peer->plan.uniforms.frame.simpson.x = samples;
@@ -118,6 +130,7 @@ bool peer_sampled_draw(peer_sampled *peer, integrator_family family, int samples
         return false;
     }
     gl->BindBufferBase(GL_UNIFORM_BUFFER, EW_GL_UNIFORM_BINDING, peer->device.uniform_buffer);
+    gl->BindBufferBase(GL_UNIFORM_BUFFER, EW_GL_LIST_BINDING, peer->device.list_buffer);
     gl->UseProgram(program);
     gl->BindVertexArray(peer->vertex_array);
     gl->DrawArrays(GL_TRIANGLE_STRIP, 0, 4);
