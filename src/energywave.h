@@ -81,10 +81,10 @@ extern "C" {
 #define EW_VERSION_MINOR 1
 #define EW_VERSION_PATCH 0
 
-/* The memory that sources take is counted in units of 16 bytes. A point takes 2 units, a line or a torus 3, a curve 6. A curve with n
- * weights takes n - 2 units more, and at least one more. Where a source has a reach or a core of its own, each takes one more. All
- * sources of an effect together take at most EW_MAX_SOURCE_UNITS. A uniform block holds about 1000 units everywhere, and 4000 on
- * most contexts; ew_draw takes more than that from a texture. */
+/* The memory that sources take is counted in units of 16 bytes. A point takes 2 units, a line or a torus 3, a curve 6. A curve
+ * with n weights takes n - 2 units more, and at least one more. Where a source has a reach or a core of its own, each takes one
+ * more. All sources of an effect together take at most EW_MAX_SOURCE_UNITS. A uniform block holds about 1000 units everywhere,
+ * and 4000 on most contexts; ew_draw takes more than that from a texture. */
 #define EW_MAX_SOURCE_UNITS 65536
 /* The largest count of each kind, in an effect that has no other kind. */
 #define EW_MAX_POINTS (EW_MAX_SOURCE_UNITS / 2)
@@ -350,7 +350,7 @@ typedef enum ew_resolution {
      *
      * It is for EW_INTEGRATOR_ADAPTIVE. The picture is as with FULL if it has fewer than 65,536 pixels, or no more to
      * integrate than three points or lines or one straight beam, if its output is EW_OUTPUT_EVALUATIONS, or if the context
-     * cannot draw to float textures (OpenGL ES before 3.2 without EXT_color_buffer_float). Takes 0.33 bytes of GL memory for
+     * cannot draw to float textures (OpenGL ES before 3.2 without EXT_color_buffer_float). Takes 0.58 bytes of GL memory for
      * each pixel of the largest viewport, allocated when a viewport is larger than any before. */
     EW_RESOLUTION_ADAPTIVE,
 } ew_resolution;
@@ -634,7 +634,7 @@ EW_API ew_result ew_get_shader_text(ew_effect *effect, const ew_mix *mix, const 
  *         the simpson_divisions matter.
  * buffer: receives the buffer's name. Unchanged on failure. The buffer belongs to the effect, is always the same one, and keeps
  *         its contents until the next call of ew_draw, ew_prepare or this function.
- * Errors: INVALID_ARGUMENT.
+ * Errors: INVALID_ARGUMENT, TOO_MANY_SOURCES if the context's uniform blocks are too small for the sources.
  * GL:     the context must be current. Leaves all state as it was. */
 EW_API ew_result ew_update_uniform_buffer(ew_effect *effect, const ew_frame_desc *frame, unsigned *buffer, ew_error *error);
 
