@@ -18,7 +18,7 @@ void gpu_timer_create(const gl_functions *gl, gpu_timer *timer)
 {
     GLint bits = 0;
     *timer = (gpu_timer){.milliseconds = -1};
-    if (is_software(gl)) return;
+    if (is_software(gl) || !gl->GetQueryObjectui64v) return;
     gl->GetQueryiv(GL_TIME_ELAPSED, GL_QUERY_COUNTER_BITS, &bits);
     if (bits > 0) gl->GenQueries(GPU_TIMER_QUERIES, timer->queries);
 }

@@ -50,6 +50,9 @@ bool read_text(const char *text, void *target);
 #ifdef _WIN32
 #define BACKEND_HELP "wgl or auto (default), which is WGL"
 #define BACKEND_REMEDY "must be auto or wgl"
+#elif defined(__EMSCRIPTEN__)
+#define BACKEND_HELP "webgl or auto (default), which is WebGL"
+#define BACKEND_REMEDY "must be auto or webgl"
 #else
 #define BACKEND_HELP "egl, osmesa or auto (default): EGL or else OSMesa"
 #define BACKEND_REMEDY "must be auto, egl or osmesa"

@@ -19,6 +19,9 @@ typedef bool create_function(const context_desc *desc, void *share, context_impl
 #ifdef _WIN32
 const char *const context_backend_names[] = {"auto", "wgl", NULL};
 static create_function *const create_functions[] = {NULL, context_create_wgl};
+#elif defined(__EMSCRIPTEN__)
+const char *const context_backend_names[] = {"auto", "webgl", NULL};
+static create_function *const create_functions[] = {NULL, context_create_webgl};
 #else
 const char *const context_backend_names[] = {"auto", "egl", "osmesa", NULL};
 static create_function *const create_functions[] = {NULL, context_create_egl, context_create_osmesa};

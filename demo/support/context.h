@@ -1,6 +1,6 @@
 /*
  * GL contexts without a visible window, behind one interface: EGL and, where it was found at build time, OSMesa; WGL on
- * Windows. Several may exist at once, of any kind.
+ * Windows; WebGL in browsers, where a page has one. Elsewhere several may exist at once, of any kind.
  */
 #ifndef CONTEXT_H
 #define CONTEXT_H
@@ -15,6 +15,8 @@ typedef enum context_backend {
     CONTEXT_AUTO, /* the first of the others that works */
 #ifdef _WIN32
     CONTEXT_WGL,
+#elif defined(__EMSCRIPTEN__)
+    CONTEXT_WEBGL,
 #else
     CONTEXT_EGL,
     CONTEXT_OSMESA,

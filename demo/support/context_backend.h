@@ -1,5 +1,6 @@
 /*
- * What a backend provides. Only context.c uses this; only context_egl.c, context_osmesa.c and context_wgl.c implement it.
+ * What a backend provides. Only context.c uses this; only context_egl.c, context_osmesa.c, context_webgl.c and context_wgl.c
+ * implement it.
  */
 #ifndef CONTEXT_BACKEND_H
 #define CONTEXT_BACKEND_H
@@ -21,6 +22,8 @@ bool context_create_egl(const context_desc *desc, void *share, context_implement
                         size_t size);
 bool context_create_osmesa(const context_desc *desc, void *share, context_implementation *implementation, char *message,
                            size_t size);
+bool context_create_webgl(const context_desc *desc, void *share, context_implementation *implementation, char *message,
+                          size_t size);
 bool context_create_wgl(const context_desc *desc, void *share, context_implementation *implementation, char *message,
                         size_t size);
 

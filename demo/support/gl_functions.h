@@ -51,7 +51,6 @@
     X(PFNGLGETINTEGERVPROC, GetIntegerv)                                                                                       \
     X(PFNGLGETPROGRAMINFOLOGPROC, GetProgramInfoLog)                                                                           \
     X(PFNGLGETPROGRAMIVPROC, GetProgramiv)                                                                                     \
-    X(PFNGLGETQUERYOBJECTUI64VPROC, GetQueryObjectui64v)                                                                       \
     X(PFNGLGETQUERYOBJECTUIVPROC, GetQueryObjectuiv)                                                                           \
     X(PFNGLGETQUERYIVPROC, GetQueryiv)                                                                                         \
     X(PFNGLGETSTRINGPROC, GetString)                                                                                           \
@@ -72,10 +71,13 @@
     X(PFNGLUSEPROGRAMPROC, UseProgram)                                                                                         \
     X(PFNGLVERTEXATTRIBPOINTERPROC, VertexAttribPointer)                                                                       \
     X(PFNGLVIEWPORTPROC, Viewport)
+/* Functions that OpenGL has and WebGL lacks, where they are NULL. */
+#define GL_DESKTOP_FUNCTIONS(X) X(PFNGLGETQUERYOBJECTUI64VPROC, GetQueryObjectui64v)
 
 typedef struct gl_functions {
 #define GL_MEMBER(type, name) type name;
     GL_FUNCTIONS(GL_MEMBER)
+    GL_DESKTOP_FUNCTIONS(GL_MEMBER)
 #undef GL_MEMBER
 } gl_functions;
 

@@ -108,7 +108,7 @@ ew_node ew_make_joint(float beyond, bool is_beyond_ahead, float before, bool is_
     vec2 way = is_beyond_ahead ? vec2(before, beyond) : vec2(beyond, before);
     if (is_beyond_ahead != is_before_ahead) return ew_node(way.xx, vec2(way.y, way.x));
     vec2 edges = vec2(max(beyond, before), min(beyond, before));
-    return is_beyond_ahead ? ew_node(chord.yx, edges) : ew_node(edges, chord.yx);
+    return ew_node(is_beyond_ahead ? chord.yx : edges, is_beyond_ahead ? edges : chord.yx);
 }
 
 #ifdef EW_WORLD

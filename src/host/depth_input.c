@@ -25,6 +25,8 @@ static const struct {
 static bool has_parameter(const ew_gl *gl, GLenum target, GLenum name)
 {
     switch (name) {
+    case GL_TEXTURE_SWIZZLE_R:
+        return !gl->web;
     case GL_DEPTH_STENCIL_TEXTURE_MODE:
         return gl->stencil_texturing;
     case COMPATIBILITY_DEPTH_TEXTURE_MODE:

@@ -99,18 +99,30 @@ static const struct group {
     {load_desktop, {{false, 30, NULL, ""}}},
 };
 
+/* Loads a group if the source has it. What a version promises must be there. An extension may be listed without its functions: a
+ * browser knows more of them than the loader of a program that was compiled for it. It then counts as absent. */
+static bool load_from(const struct group *group, const group_source *source, ew_gl *gl, function_loader *loader)
+{
+    if (source->es != gl->es || source->version == 0) return false;
+    if (gl->version >= source->version) {
+        group->load(gl, loader, "");
+        return true;
+    }
+    if (!source->extension || !has_extension(gl, source->extension)) return false;
+    ew_gl with_extension = *gl;
+    function_loader tried = *loader;
+    group->load(&with_extension, &tried, source->suffix);
+    if (tried.missing_count > loader->missing_count) return false;
+    *gl = with_extension;
+    return true;
+}
+
 static void load_groups(ew_gl *gl, function_loader *loader)
 {
     for (size_t i = 0; i < sizeof groups / sizeof groups[0]; i++) {
-        for (size_t j = 0; j < sizeof groups[i].sources / sizeof groups[i].sources[0]; j++) {
-            const group_source *source = &groups[i].sources[j];
-            if (source->es != gl->es || source->version == 0) continue;
-            bool by_version = gl->version >= source->version;
-            if (by_version || (source->extension && has_extension(gl, source->extension))) {
-                groups[i].load(gl, loader, by_version ? "" : source->suffix);
-                break;
-            }
-        }
+        size_t source = 0, count = sizeof groups[i].sources / sizeof groups[i].sources[0];
+        while (source < count && !load_from(&groups[i], &groups[i].sources[source], gl, loader))
+            source++;
     }
     if (gl->compatibility) load_compatibility(gl, loader, "");
 }
@@ -197,6 +209,7 @@ ew_result ew_gl_load(ew_gl *gl, ew_gl_function (*get_proc_address)(void *user, c
     if (version == NULL)
         return ew_fail(error, EW_ERROR_UNSUPPORTED_CONTEXT, "no GL context is current: glGetString(GL_VERSION) returned NULL");
     gl->es = strncmp(version, "OpenGL ES", 9) == 0;
+    gl->web = strstr(version, "WebGL") != NULL;
     const char *number = version + strcspn(version, "0123456789");
     int major = 0, minor = 0;
     if (sscanf(number, "%d.%d", &major, &minor) != 2) major = minor = 0;

@@ -142,6 +142,7 @@ typedef struct ew_gl {
 #undef EW_GL_MEMBER
 
     bool es;                      /* OpenGL ES, not OpenGL */
+    bool web;                     /* WebGL, which is OpenGL ES without some of its queries */
     bool compatibility;           /* OpenGL in its compatibility profile */
     int version;                  /* 10 * major + minor */
     bool software;                /* a software rasteriser */

@@ -9,15 +9,6 @@
 
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
-
-/* The demo's shaders are of OpenGL 3.3; OpenGL ES 3.0 has all that they use, under another version. */
-static void APIENTRY shader_source_of_es(GLuint shader, GLsizei count, const GLchar *const *strings, const GLint *lengths)
-{
-    (void)count, (void)lengths; /* one string, of any length */
-    const GLchar *const es_strings[] = {"#version 300 es\nprecision highp float;\n", strchr(strings[0], '\n')};
-    gl.ShaderSource(shader, 2, es_strings, NULL);
-}
 
 static bool draw(gl_context *context, const demo_scene *scene, const render_settings *settings, float *pixels, ew_error *error)
 {
@@ -25,7 +16,6 @@ static bool draw(gl_context *context, const demo_scene *scene, const render_sett
     render_target target;
     *error = (ew_error){.text = "the loader lacks functions"};
     if (gl_load_functions(&functions, context_get_proc_address, context)) return false;
-    if (gl.es) functions.ShaderSource = shader_source_of_es;
     if (!render_create_target(&functions, settings, &target, error->text, sizeof error->text)) return false;
 
     const ew_effect_desc desc = {.get_proc_address = context_get_proc_address, .user = context};

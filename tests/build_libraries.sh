@@ -1,11 +1,12 @@
 #!/bin/sh
-# Builds for Windows, from Debian's sources, the libraries that Debian has only for itself: cmocka, Jansson and GLFW. stb
+# Builds for another system, from Debian's sources, libraries that Debian has only for itself: cmocka, glfw3 and jansson. stb
 # needs no building. Does nothing if they are there. Nothing is left in apt's own lists of packages.
-# Usage: build_libraries.sh FOLDER
+# Usage: build_libraries.sh FOLDER TOOLCHAIN PACKAGE...; the toolchain is a file for CMake, by its full path
 set -eu
-toolchain=$(cd "$(dirname "$0")/../../cmake" && pwd)/mingw-w64.cmake
-mkdir -p "$1"
-cd "$1"
+folder=$1 toolchain=$2
+shift 2
+mkdir -p "$folder"
+cd "$folder"
 [ ! -e complete ] || exit 0
 prefix=$PWD
 
@@ -15,15 +16,22 @@ own_apt_get() {
         -o Dir::State::Lists="$prefix/lists" -o Dir::Cache::pkgcache= -o Dir::Cache::srcpkgcache= "$@"
 }
 
-# builds PACKAGE CMAKE_OPTION...
+options_of() {
+    case $1 in
+    cmocka) echo -DWITH_EXAMPLES=OFF ;;
+    glfw3) echo -DGLFW_BUILD_EXAMPLES=OFF -DGLFW_BUILD_TESTS=OFF -DGLFW_BUILD_DOCS=OFF ;;
+    jansson) echo -DJANSSON_BUILD_DOCS=OFF -DJANSSON_WITHOUT_TESTS=ON -DJANSSON_EXAMPLES=OFF ;;
+    esac
+}
+
 builds() {
     package=$1
-    shift
     rm -rf "$package" "$package-build"
+    # shellcheck disable=SC2046 # the options are several words
     mkdir "$package" &&
         tar -xf "$(find . -name "${package}_*.orig.tar.?z")" -C "$package" --strip-components 1 &&
         cmake -S "$package" -B "$package-build" -DCMAKE_TOOLCHAIN_FILE="$toolchain" -DCMAKE_FIND_ROOT_PATH="$prefix" \
-            -DCMAKE_BUILD_TYPE=Release -DCMAKE_INSTALL_PREFIX="$prefix" "$@" &&
+            -DCMAKE_BUILD_TYPE=Release -DCMAKE_INSTALL_PREFIX="$prefix" $(options_of "$package") &&
         cmake --build "$package-build" --parallel "$(nproc)" &&
         cmake --install "$package-build"
 }
@@ -32,11 +40,9 @@ builds() {
 echo "deb-src http://deb.debian.org/debian $VERSION_CODENAME main" > sources.list
 mkdir -p lists/partial
 own_apt_get update
-own_apt_get source --download-only cmocka jansson glfw3
-{
-    builds cmocka -DWITH_EXAMPLES=OFF &&
-        builds jansson -DJANSSON_BUILD_DOCS=OFF -DJANSSON_WITHOUT_TESTS=ON -DJANSSON_EXAMPLES=OFF &&
-        builds glfw3 -DGLFW_BUILD_EXAMPLES=OFF -DGLFW_BUILD_TESTS=OFF -DGLFW_BUILD_DOCS=OFF
-} > log 2>&1 || { cat log; exit 1; }
+own_apt_get source --download-only "$@"
+for package; do
+    builds "$package" > log 2>&1 || { cat log; exit 1; }
+done
 cp -r /usr/include/stb include
 touch complete
