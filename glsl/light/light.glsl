@@ -8,7 +8,7 @@ const float EW_MAX_LUMINANCE = 1e30;
 float ew_sharpen(float luminance, float brightness, float sharpness)
 {
     float x = luminance / brightness;
-    return brightness * (x <= 1.0 ? pow(x, sharpness) : 1.0 + sharpness * (x - 1.0));
+    return brightness * mix(1.0 + sharpness * (x - 1.0), pow(x, sharpness), x <= 1.0);
 }
 #endif
 
@@ -56,7 +56,8 @@ float ew_others(vec4 sum, vec4 color)
 // Sources that the ray misses are passed over in a loop of their own: where a group of pixels has few, a software rasteriser goes
 // through the expensive body as often as the pixel of the group that has most. A pixel that has left that loop while others of its
 // group have not may see its values computed once more (llvmpipe does so); so the search stays where it is once it has found one.
-#define EW_CHORD(source) source.glow.y > 0.0 ? min(ew_chord(segment, source), max(ew_last_lit(source.glow), 0.0)) : whole
+#define EW_LIT(source) min(ew_chord(segment, source), max(ew_last_lit(source.glow), 0.0))
+#define EW_CHORD(source) mix(whole, EW_LIT(source), bvec2(ew_has_reach(source.glow)))
 #define EW_TRY(read) source = read(EW_PLACE(i)); chord = EW_CHORD(source); hit = hit || chord.x < chord.y; i += hit ? 0 : 1;
 #define EW_FIND(block, read) block source; bool hit = false; do { EW_TRY(read) } while (!hit && i < end);
 #define EW_ADD(block, read) EW_FIND(block, read) if (hit) { EW_ADD_SOURCE(source); ++i; }

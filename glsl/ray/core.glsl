@@ -47,9 +47,19 @@ float ew_last_lit(vec4 glow)
 #ifdef EW_CORE_PIXELS
     float radius2 = glow.y * glow.y - ew_core_radius2(glow);
     float depth = sqrt(max(radius2, 0.0) / max(ew_frame.core_floor.x, 1e-30));
-    return radius2 > 0.0 ? (depth - ew_view_depth.x) / ew_view_depth.y : -1.0;
+    return mix(-1.0, (depth - ew_view_depth.x) / ew_view_depth.y, radius2 > 0.0);
 #else
     return 1e30;
+#endif
+}
+
+// In the world integral every source has a reach, and compilers need not ask.
+bool ew_has_reach(vec4 glow)
+{
+#ifdef EW_WORLD
+    return true;
+#else
+    return glow.y > 0.0;
 #endif
 }
 
@@ -57,7 +67,7 @@ float ew_last_lit(vec4 glow)
 float ew_inverse_reach(vec4 glow)
 {
 #ifdef EW_REACH
-    return glow.y > 0.0 ? 1.0 / glow.y : 0.0;
+    return mix(0.0, 1.0 / glow.y, glow.y > 0.0);
 #else
     return 0.0;
 #endif

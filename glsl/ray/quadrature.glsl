@@ -36,7 +36,7 @@ float ew_integrate_reciprocal(float b2, float k, float s0, float from, float to)
     float q = (to - from) * inverse;
     float product = k * y_from * y_to;
     float sum = d_from * d_to + abs(product);
-    float half_cosine = product >= 0.0 ? sum + b2 : b2 * (1.0 + (b2 + k * (y_from * y_from + y_to * y_to)) / sum);
+    float half_cosine = mix(b2 * (1.0 + (b2 + k * (y_from * y_from + y_to * y_to)) / sum), sum + b2, product >= 0.0);
     float w = clamp(2.0 * half_cosine * inverse * inverse, 1e-37, 1.0);
     return 2.0 * q * (1.0 + k * q * q * ew_atanh_remainder(w));
 }
@@ -72,7 +72,7 @@ float ew_integrate_reciprocal(float b2, float k, float s0, float from, float to)
     float q = (to - from) * inverse;
     float product = k * y_from * y_to;
     float sum = d_from * d_to + abs(product);
-    float half_cosine = product >= 0.0 ? sum + b2 : b2 * (1.0 + (b2 + k * (y_from * y_from + y_to * y_to)) / sum);
+    float half_cosine = mix(b2 * (1.0 + (b2 + k * (y_from * y_from + y_to * y_to)) / sum), sum + b2, product >= 0.0);
     float depth_product = depth_from * depth_to;
     float w = clamp(2.0 * depth_product * half_cosine * inverse * inverse, 1e-37, 1.0);
     return q * ((depth_from + depth_to) / depth_product + 2.0 * k * (s0 + beta) * q * q * ew_atanh_remainder(w));
@@ -101,11 +101,12 @@ vec2 ew_find_core(float b2, float k, float s0, vec4 glow)
     float sum = abs(middle) + sqrt(max(root2, 0.0));
     float inner = clamp(excess / max(sum, 1e-30), -1e15, 1e15);
     float outer = min(sum / max(abs(a), 1e-30), 1e15);
-    if (root2 < 0.0) return a > 0.0 ? vec2(0.0) : vec2(-1e15, 1e15);
-    if (middle >= 0.0) return vec2(-inner, a > 0.0 ? outer : 1e15);
-    if (a > 0.0) return vec2(-outer, inner);
     bool eye_is_in_it = -ew_view_depth.x < (s0 + inner) * ew_view_depth.y;
-    return eye_is_in_it ? vec2(-1e15, inner) : vec2(outer, 1e15);
+    bool is_bounded = a > 0.0;
+    vec2 without_roots = mix(vec2(-1e15, 1e15), vec2(0.0), bvec2(is_bounded));
+    vec2 behind = vec2(-inner, mix(1e15, outer, is_bounded));
+    vec2 before = mix(mix(vec2(outer, 1e15), vec2(-1e15, inner), bvec2(eye_is_in_it)), vec2(-outer, inner), bvec2(is_bounded));
+    return mix(mix(before, behind, bvec2(middle >= 0.0)), without_roots, bvec2(root2 < 0.0));
 }
 #endif
 
@@ -125,7 +126,7 @@ float ew_integrate_core(vec2 radius, float size)
     float x2 = ew_core_growth2() * q * q;
     float x = sqrt(x2);
     float logarithm = 0.69314718 * log2((1.0 + x) / max(1.0 - x, 1e-6)) / max(x, 1e-3);
-    return q * (x2 < 0.1 ? ew_atanh_series(x2) : logarithm);
+    return q * mix(logarithm, ew_atanh_series(x2), x2 < 0.1);
 }
 #endif
 
@@ -148,7 +149,7 @@ float ew_integrate_outside(float b2, float k, vec2 y, vec2 core)
     float q = (q_after + q_before) / (1.0 + k * q_after * q_before);
     vec2 power = (d_after + root_k * after) / max(d_before - root_k * before, 1e-30);
     float x2 = k * q * q;
-    return x2 < 0.1 ? q * ew_atanh_series(x2) : 0.69314718 * log2(power.y / power.x) / root_k;
+    return mix(0.69314718 * log2(power.y / power.x) / root_k, q * ew_atanh_series(x2), x2 < 0.1);
 }
 
 // The integral over s in [from, to] of 1 / r'. Relative error 1e-6.

@@ -89,12 +89,12 @@ float ew_rough_cube_root(float x)
 float ew_distance_minimum(float cubic, float quadratic, float linear, float constant, float arm)
 {
     float third = ew_rough_cube_root(max(cubic * constant * constant, 1e-37));
-    float excess = max((arm * constant >= 0.0 ? third : -1.26 * third) - linear, 0.0);
+    float excess = max(mix(-1.26 * third, third, arm * constant >= 0.0) - linear, 0.0);
     // The start is constant / sqrt(linear^2 + third^2), or arm sqrt(excess / cubic). Both share one reciprocal root, without a
     // branch.
     bool is_only = linear > 0.0;
-    float tau = (is_only ? constant : arm * excess) *
-                inversesqrt(max(is_only ? linear * linear + third * third : excess * cubic, 1e-37));
+    float tau = mix(arm * excess, constant, is_only) *
+                inversesqrt(max(mix(excess * cubic, linear * linear + third * third, is_only), 1e-37));
     tau = ew_step_to_minimum(cubic, quadratic, linear, constant, tau);
     return ew_step_to_minimum(cubic, quadratic, linear, constant, tau);
 }
@@ -103,11 +103,11 @@ float ew_distance_minimum(float cubic, float quadratic, float linear, float cons
 // x is the nearest point of the whole parabola.
 vec2 ew_distance_minima(float cubic, float quadratic, float linear, float constant)
 {
-    float arm = constant < 0.0 ? -1.0 : 1.0;
+    float arm = mix(1.0, -1.0, constant < 0.0);
     float tau = ew_distance_minimum(cubic, quadratic, linear, constant, arm);
     float discriminant = -3.0 * cubic * tau * tau - 4.0 * linear;
-    float other = discriminant > 0.0 ? -0.5 * (tau + arm * sqrt(discriminant / max(cubic, 1e-30))) : tau;
-    return vec2(tau, other);
+    float other = -0.5 * (tau + arm * sqrt(max(discriminant, 0.0) / max(cubic, 1e-30)));
+    return vec2(tau, mix(tau, other, discriminant > 0.0));
 }
 
 // The squared distance from the place `position` in the arc's frame to the parabola's point at `tau`.
@@ -121,7 +121,7 @@ float ew_arc_distance_squared(ew_arc arc, vec3 position, float tau)
 float ew_tau_on_arm(ew_arc arc, float s)
 {
     vec2 equation = arc.equation_start + s * arc.equation_growth;
-    float arm = arc.arm != 0.0 ? arc.arm : equation.y < 0.0 ? -1.0 : 1.0;
+    float arm = mix(mix(1.0, -1.0, equation.y < 0.0), arc.arm, arc.arm != 0.0);
     float tau = ew_distance_minimum(arc.cubic, arc.quadratic, equation.x, equation.y, arm);
     return clamp(tau, arc.first, arc.last);
 }

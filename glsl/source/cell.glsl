@@ -4,8 +4,9 @@
 vec2 ew_part_above_zero(float start, float growth, float end)
 {
     bool is_constant = growth == 0.0;
-    float zero = is_constant ? (start >= 0.0 ? 0.0 : end) : clamp(-start / growth, 0.0, end);
-    return is_constant || growth > 0.0 ? vec2(zero, end) : vec2(0.0, zero);
+    float zero = mix(clamp(-start / growth, 0.0, end), mix(end, 0.0, start >= 0.0), is_constant);
+    bool is_above_behind = is_constant || growth > 0.0;
+    return vec2(mix(0.0, zero, is_above_behind), mix(zero, end, is_above_behind));
 }
 
 // The cell of an end of the arc (its Voronoi cell): the places that are nearer to that end than to the rest of the arc. Let the
@@ -52,10 +53,10 @@ float ew_cut(ew_arc arc, ew_cell cell, float s, float direction, float end)
     float linear = dot(cell.slope, cell.slope) + 2.0 * arc.bend * (cell.end.y - s * arc.direction.y);
     float root = sqrt(max(quadratic * quadratic - 3.0 * bend2 * linear, 0.0));
     // The larger zero of h's derivative by u, where h has its minimum.
-    float u = quadratic > 0.0 ? -linear / max(quadratic + root, 1e-30) : (root - quadratic) / max(3.0 * bend2, 1e-30);
+    float u = mix((root - quadratic) / max(3.0 * bend2, 1e-30), -linear / max(quadratic + root, 1e-30), quadratic > 0.0);
     vec2 h = ew_farther_off(arc, cell, clamp(u, 0.0, 1.0), s);
-    float place = direction * h.y > 0.0 ? s - h.x / h.y : direction > 0.0 ? end : 0.0;
-    return h.x < 0.0 ? place : s;
+    float place = mix(mix(0.0, end, direction > 0.0), s - h.x / h.y, direction * h.y > 0.0);
+    return mix(s, place, h.x < 0.0);
 }
 
 // What two planes leave of the ray: that of u = 0, through the end, and that of u = 1, which bisects the two ends.
@@ -63,7 +64,7 @@ vec2 ew_part_between_planes(ew_arc arc, ew_cell cell, float end)
 {
     // At the tip of an arc that is folded back on itself, h(0, s) is 0 everywhere, and the next order of u decides.
     bool is_fold = cell.slope == vec2(0.0);
-    vec2 inside = is_fold ? vec2(cell.end.y, -arc.direction.y) : cell.constant;
+    vec2 inside = mix(cell.constant, vec2(cell.end.y, -arc.direction.y), bvec2(is_fold));
     vec2 nearer = ew_farther_off(arc, cell, 1.0, 0.0);
     vec2 plane = ew_part_above_zero(inside.x, inside.y, end);
     vec2 bisector = ew_part_above_zero(nearer.x, nearer.y, end);
@@ -96,5 +97,5 @@ vec2 ew_part_of_cell(ew_arc arc, ew_cell cell, float end)
             if (is_done || part.x >= part.y) break;
         }
     }
-    return part.x < part.y ? part : vec2(end);
+    return mix(vec2(end), part, bvec2(part.x < part.y));
 }

@@ -16,7 +16,7 @@ float ew_integrate_end(ew_arc arc, float tau, vec2 part)
     if (EW_IS_NEEDED(part.x < part.y)) {
         ew_passage passage = ew_passage_at(arc, tau, true, false);
 #ifdef EW_REACH
-        if (arc.glow.y > 0.0) {
+        if (ew_has_reach(arc.glow)) {
             vec2 chord = ew_chord_of(passage.b2, passage.k, passage.s0, arc.glow.y, part.y);
             part = vec2(max(part.x, chord.x), max(max(part.x, chord.x), chord.y));
         }
@@ -50,7 +50,7 @@ float ew_distance_squared_at(ew_arc arc, float s)
 // The squared radius of the arc's core or reach at s.
 float ew_radius_squared(ew_arc arc, float s, bool is_core)
 {
-    return is_core ? ew_arc_core2(arc, s) : arc.glow.y * arc.glow.y;
+    return mix(arc.glow.y * arc.glow.y, ew_arc_core2(arc, s), is_core);
 }
 
 // Where between `inner` and `outer` the arc comes out of its core or reach. `excess` is by how much the squared distance is
@@ -67,12 +67,12 @@ float ew_edge_of(ew_arc arc, float inner, float outer, vec2 excess, bool is_core
     do {
         // A pixel that has left this loop while others of its group have not may see its values computed once more.
         float next = square.x - excess.x * (square.y - square.x) / max(excess.y - excess.x, 1e-30);
-        edge = is_done ? edge : max(next, 0.0);
+        edge = mix(max(next, 0.0), edge, is_done);
         float s = inner + way * sqrt(edge);
         float value = ew_distance_squared_at(arc, s) - ew_radius_squared(arc, s, is_core);
         bool is_outside = value > 0.0;
-        square = is_outside ? vec2(square.x, edge) : vec2(edge, square.y);
-        excess = is_outside ? vec2(0.5 * excess.x, value) : vec2(value, 0.5 * excess.y);
+        square = mix(vec2(edge, square.y), vec2(square.x, edge), bvec2(is_outside));
+        excess = mix(vec2(value, 0.5 * excess.y), vec2(0.5 * excess.x, value), bvec2(is_outside));
         is_done = is_done || abs(value) <= tolerance;
     } while (!is_done && ++step < 12);
     return inner + way * sqrt(edge);
@@ -93,8 +93,10 @@ ew_portion ew_make_portion(ew_arc arc, float nearest, vec2 ends)
     nearest = clamp(nearest, ends.x, ends.y);
     vec2 at_ends = vec2(ew_distance_squared_at(arc, ends.x), ew_distance_squared_at(arc, ends.y));
     ew_portion portion = ew_portion(ends, at_ends, nearest, ew_distance_squared_at(arc, nearest));
-    if (portion.at_ends.x < portion.at_nearest) { portion.nearest = ends.x; portion.at_nearest = portion.at_ends.x; }
-    if (portion.at_ends.y < portion.at_nearest) { portion.nearest = ends.y; portion.at_nearest = portion.at_ends.y; }
+    portion.nearest = mix(portion.nearest, ends.x, portion.at_ends.x < portion.at_nearest);
+    portion.at_nearest = min(portion.at_nearest, portion.at_ends.x);
+    portion.nearest = mix(portion.nearest, ends.y, portion.at_ends.y < portion.at_nearest);
+    portion.at_nearest = min(portion.at_nearest, portion.at_ends.y);
     return portion;
 }
 
@@ -105,9 +107,12 @@ ew_portion ew_clip(ew_arc arc, ew_portion portion, bool is_core)
     vec2 radius2 = vec2(ew_radius_squared(arc, portion.ends.x, is_core), ew_radius_squared(arc, portion.ends.y, is_core));
     vec2 outer = portion.at_ends - radius2;
     vec2 ends = vec2(portion.nearest);
-    if (inner < 0.0) {
-        ends.x = ew_edge_of(arc, portion.nearest, portion.ends.x, vec2(inner, outer.x), is_core);
-        ends.y = ew_edge_of(arc, portion.nearest, portion.ends.y, vec2(inner, outer.y), is_core);
+    // A loop over both sides, because compilers put the search into the shader for every place that calls it.
+    for (int side = 0; side < 2 && inner < 0.0; ++side) {
+        bool is_far = side > 0;
+        float end = mix(portion.ends.x, portion.ends.y, is_far);
+        float edge = ew_edge_of(arc, portion.nearest, end, vec2(inner, mix(outer.x, outer.y, is_far)), is_core);
+        ends = mix(ends, vec2(edge), bvec2(!is_far, is_far));
     }
     return ew_portion(ends, min(portion.at_ends, radius2), portion.nearest, portion.at_nearest);
 }
@@ -119,9 +124,8 @@ float ew_least_b2(ew_arc arc, ew_passage passage, vec2 part)
 {
     bool is_in_core = passage.s0 > passage.core.x && passage.s0 < passage.core.y;
     vec2 way = abs(passage.core - passage.s0);
-    if (passage.core.x <= part.x) way.x = 1e9;
-    if (passage.core.y >= part.y) way.y = 1e9;
-    float nearest_edge = is_in_core ? min(way.x, way.y) : 0.0;
+    way = mix(way, vec2(1e9), bvec2(passage.core.x <= part.x, passage.core.y >= part.y));
+    float nearest_edge = mix(0.0, min(way.x, way.y), is_in_core);
     return max(passage.b2, ew_arc_core2(arc, passage.s0) - passage.k * nearest_edge * nearest_edge);
 }
 
@@ -152,7 +156,7 @@ float ew_integrate_stretch(ew_arc arc, ew_approaches approaches, float from, flo
     ew_passage passage = ew_passage_of_stretch(arc, approaches, from, to);
     vec2 part = vec2(from, to);
 #ifdef EW_REACH
-    if (arc.glow.y > 0.0) part = ew_clip(arc, ew_make_portion(arc, passage.s0, part), false).ends;
+    if (ew_has_reach(arc.glow)) part = ew_clip(arc, ew_make_portion(arc, passage.s0, part), false).ends;
 #endif
     float reciprocal = ew_integrate_within_reach(passage.b2, passage.k, passage.s0, part, arc.glow);
     float light = sum + max(passage.weight, 0.02 * arc.mean_weight) * max(reciprocal, 0.0);
@@ -166,8 +170,13 @@ float ew_integrate_stretch(ew_arc arc, ew_approaches approaches, float from, flo
 // The parts of `chord` to which the arc's ends are nearest.
 void ew_find_parts(ew_arc arc, ew_cell first_cell, ew_cell last_cell, vec2 chord, out vec2 first, out vec2 last)
 {
-    first = ew_part_of_cell(arc, first_cell, chord.y);
-    last = ew_part_of_cell(arc, last_cell, chord.y);
+    // A loop, because compilers put the cuts into the shader for every place that calls for them.
+    for (int end = 0; end < 2; ++end) {
+        ew_cell cell = first_cell;
+        if (end == 1) cell = last_cell;
+        last = ew_part_of_cell(arc, cell, chord.y);
+        if (end == 0) first = last;
+    }
 #ifdef EW_REACH
     first = max(first, chord.xx);
     last = max(last, chord.xx);
@@ -187,7 +196,7 @@ float ew_add_stretches(ew_arc arc, ew_cell first_cell, ew_cell last_cell, vec2 f
 {
 #ifdef EW_REACH
     // The brightness is known, and light that is a thousandth of it need not be exact to a thousandth of itself.
-    if (arc.glow.y > 0.0) others += 1e-3 / EW_OTHERS_SHARE * 1.386 * log2(max(arc.glow.y / arc.glow.x, 1.0001));
+    if (ew_has_reach(arc.glow)) others += 1e-3 / EW_OTHERS_SHARE * 1.386 * log2(max(arc.glow.y / arc.glow.x, 1.0001));
 #endif
     ew_approaches approaches = ew_find_approaches(arc);
     vec4 splits = ew_find_splits(arc, first_cell, last_cell);

@@ -26,7 +26,7 @@ bool ew_has_knot(float piece, float last_piece)
 float ew_next_knot(ew_arc arc, float piece, float last_piece)
 {
 #ifdef EW_WEIGHTS
-    float place = (piece + (last_piece > piece ? 1.0 : 0.0)) / max(arc.piece_count, 1.0);
+    float place = (piece + mix(0.0, 1.0, last_piece > piece)) / max(arc.piece_count, 1.0);
     float tau = arc.first + (place - arc.place) / max(arc.place_slope, 1e-30);
     float left = ((arc.cubic * tau + arc.quadratic) * tau + arc.equation_start.x) * tau - arc.equation_start.y;
     return ew_zero(left, arc.equation_growth.x * tau - arc.equation_growth.y);

@@ -33,13 +33,12 @@ ew_passage ew_passage_at(ew_arc arc, float tau, bool is_end, bool is_far)
     float v2 = ew_length_squared(arc.direction);
     float s0 = dot(difference, arc.direction) / v2;
     vec3 across = difference - s0 * arc.direction;
-    float k = v2;
-    if (!is_end && !is_far) k = ew_distance_curvature(arc, tau, across, v2);
+    float k = mix(ew_distance_curvature(arc, tau, across, v2), v2, is_end || is_far);
     bool is_touching = is_end || (tau > arc.first && tau < arc.last);
     float b2 = ew_length_squared(across);
     // A passage that does not touch gets no core: between the edge of its core and that of the arc's, the rest would be a spike
     // that the quadrature's nodes may miss.
-    if (!is_touching) b2 = max(b2, ew_arc_core2(arc, s0));
+    b2 = mix(max(b2, ew_arc_core2(arc, s0)), b2, is_touching);
 #ifdef EW_WORLD
     return ew_passage(is_touching, b2, k, s0, ew_arc_weight(arc, tau), vec2(s0));
 #else
@@ -67,7 +66,7 @@ vec2 ew_closest_approaches(ew_arc arc, out float farthest)
     linear += shift * (2.0 * quadratic + shift * 3.0 * cubic);
     quadratic += 3.0 * cubic * shift;
     vec2 minima = ew_distance_minima(cubic, quadratic, linear, constant);
-    farthest = shift + (minima.x == minima.y ? minima.x : -quadratic / max(cubic, 1e-30) - minima.x - minima.y);
+    farthest = shift + mix(-quadratic / max(cubic, 1e-30) - minima.x - minima.y, minima.x, minima.x == minima.y);
     return shift + minima;
 }
 
@@ -96,9 +95,9 @@ ew_passage ew_passage_of_arm(ew_arc arc, ew_approaches approaches, float middle)
     vec2 equation = arc.equation_start + middle * arc.equation_growth;
     bool is_either_arm = !arc.has_arms || equation.x >= 0.0;
     vec2 remoteness = abs(approaches.s - middle);
-    if (!is_either_arm && approaches.tau.x * arc.arm < 0.0) remoteness.x += 1e6;
-    if (!is_either_arm && approaches.tau.y * arc.arm < 0.0) remoteness.y += 1e6;
-    float tau = remoteness.y < remoteness.x ? approaches.tau.y : approaches.tau.x;
+    remoteness.x += mix(0.0, 1e6, !is_either_arm && approaches.tau.x * arc.arm < 0.0);
+    remoteness.y += mix(0.0, 1e6, !is_either_arm && approaches.tau.y * arc.arm < 0.0);
+    float tau = mix(approaches.tau.x, approaches.tau.y, remoteness.y < remoteness.x);
     bool is_far = abs(tau - 0.5 * (arc.first + arc.last)) > 1.0;
-    return ew_passage_at(arc, is_far ? clamp(tau, arc.first, arc.last) : tau, false, is_far);
+    return ew_passage_at(arc, mix(tau, clamp(tau, arc.first, arc.last), is_far), false, is_far);
 }

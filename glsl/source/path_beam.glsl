@@ -18,7 +18,7 @@ ew_beam ew_meet_beam(ew_segment segment, ew_path_block path, vec2 chord)
     vec3 axis = path.beam.xyz / max(size, 1e-30);
     float growth = dot(segment.direction, axis);
     bool is_turned = growth < 0.0;
-    axis *= is_turned ? -1.0 : 1.0;
+    axis *= mix(1.0, -1.0, is_turned);
     growth = abs(growth);
     vec3 to_middle = path.ball.xyz - segment.origin;
     float along = dot(to_middle, axis);
@@ -96,7 +96,7 @@ float ew_integrate_beam_parts(ew_beam beam, vec2 chord, vec3 weights, vec4 glow)
     vec3 from = vec3(chord.x, beam.planes);
     vec3 to = vec3(beam.planes, chord.y);
 #ifdef EW_REACH
-    if (glow.y > 0.0) {
+    if (ew_has_reach(glow)) {
         vec3 b = sqrt(beam.b2);
         vec3 half_chord = sqrt(max((glow.y - b) * (glow.y + b), 0.0) / beam.k);
         from = clamp(from, beam.s0 - half_chord, beam.s0 + half_chord);
@@ -116,12 +116,13 @@ float ew_integrate_beam_parts(ew_beam beam, vec2 chord, vec3 weights, vec4 glow)
 #endif
     bool is_first = to.x - core_to.x > core_from.y - from.y;
     bool is_last = core_from.z - from.z > to.y - core_to.y;
-    vec4 side_from = vec4(from.x, is_first ? core_to.x : from.y, is_last ? from.z : core_to.y, core_to.z);
-    vec4 side_to = vec4(core_from.x, is_first ? to.x : core_from.y, is_last ? core_from.z : to.y, to.z);
-    vec4 b2 = vec4(beam.b2.x, is_first ? beam.b2.x : beam.b2.y, is_last ? beam.b2.z : beam.b2.y, beam.b2.z);
-    vec2 s0 = vec2(is_first ? beam.s0.x : beam.s0.y, is_last ? beam.s0.z : beam.s0.y);
-    vec2 k = vec2(is_first ? beam.k.x : beam.k.y, is_last ? beam.k.z : beam.k.y);
-    vec4 weight = vec4(weights.x, is_first ? weights.x : weights.y, is_last ? weights.z : weights.y, weights.z);
+    bvec2 is_end = bvec2(is_first, is_last);
+    vec4 side_from = vec4(from.x, mix(vec2(from.y, core_to.y), vec2(core_to.x, from.z), is_end), core_to.z);
+    vec4 side_to = vec4(core_from.x, mix(vec2(core_from.y, to.y), vec2(to.x, core_from.z), is_end), to.z);
+    vec4 b2 = vec4(beam.b2.x, mix(beam.b2.yy, beam.b2.xz, is_end), beam.b2.z);
+    vec2 s0 = mix(beam.s0.yy, beam.s0.xz, is_end);
+    vec2 k = mix(beam.k.yy, beam.k.xz, is_end);
+    vec4 weight = vec4(weights.x, mix(weights.yy, weights.xz, is_end), weights.z);
     ew_evaluation_count += 3;
     float sum = weight.x * ew_integrate_reciprocal(b2.x, beam.k.x, beam.s0.x, side_from.x, side_to.x);
     sum += weight.y * ew_integrate_reciprocal(b2.y, k.x, s0.x, side_from.y, side_to.y);
@@ -146,7 +147,7 @@ float ew_integrate_beam(ew_segment segment, ew_path_block path, vec2 chord)
 #ifdef EW_WEIGHTS
     if (path.weights.y > 0.0) {
         vec2 ends = vec2(ew_path_weight(path, 0.0), ew_path_weight(path, 1.0));
-        weights = beam.is_turned ? vec3(ends.y, 0.0, ends.x) : vec3(ends.x, 0.0, ends.y);
+        weights = mix(vec3(ends.x, 0.0, ends.y), vec3(ends.y, 0.0, ends.x), bvec3(beam.is_turned));
         vec3 half_way = path.beam.xyz;
         ew_slab slab = ew_make_slab(segment, vec4(path.ball.xyz - half_way, 0.0), vec4(path.ball.xyz + half_way, 1.0));
         sum = ew_integrate_weighted_slab(segment, slab, path, beam.planes);

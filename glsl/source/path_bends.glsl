@@ -23,7 +23,7 @@ vec3 ew_place_at(ew_curve_block curve, float tau)
 vec2 ew_chord_of_piece(ew_segment segment, ew_path_block path, int i, vec2 chord)
 {
 #ifdef EW_REACH
-    if (path.glow.y > 0.0) return ew_chord(segment, ew_bent_piece(path, i));
+    if (ew_has_reach(path.glow)) return ew_chord(segment, ew_bent_piece(path, i));
 #endif
     return chord;
 }
@@ -76,8 +76,8 @@ float ew_integrate_bends(ew_segment segment, ew_path_block path, vec2 chord, flo
             bool is_joint = i > 0 && i == done;
             vec2 weights = vec2(last_weight, ew_path_weight(path, domain.z));
             if (is_joint || (i == 0 && !is_closed))
-                sum += ew_integrate_meeting(segment, ew_place_at(curve, arc.first), is_joint ? last : first.xx, first,
-                                            is_joint ? chord : first.xx, weights, path.glow);
+                sum += ew_integrate_meeting(segment, ew_place_at(curve, arc.first), mix(first.xx, last, bvec2(is_joint)), first,
+                                            mix(first.xx, chord, bvec2(is_joint)), weights, path.glow);
             last = next_last;
             last_weight = ew_path_weight(path, domain.w);
             end = ew_place_at(curve, arc.last);
@@ -85,9 +85,10 @@ float ew_integrate_bends(ew_segment segment, ew_path_block path, vec2 chord, flo
         }
     } while (i < count && i < EW_MAX_PATH_PIECES);
     bool has_end = done == count && (has_start || !is_closed);
-    vec2 weights = vec2(last_weight, is_closed ? ew_path_weight(path, 0.0) : last_weight);
-    float at_end = ew_integrate_meeting(segment, end, last, is_closed ? start : last.xx, is_closed ? chord : last.xx, weights,
-                                        path.glow);
-    return sum + (has_end ? at_end : 0.0);
+    vec2 weights = vec2(last_weight, mix(last_weight, ew_path_weight(path, 0.0), is_closed));
+    vec2 next_first = mix(last.xx, start, bvec2(is_closed));
+    vec2 whole = mix(last.xx, chord, bvec2(is_closed));
+    float at_end = ew_integrate_meeting(segment, end, last, next_first, whole, weights, path.glow);
+    return sum + mix(0.0, at_end, has_end);
 }
 #endif

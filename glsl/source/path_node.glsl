@@ -8,14 +8,14 @@ float ew_integrate_point_over(ew_segment segment, vec3 position, vec2 part, vec4
     float s0 = dot(to_point, segment.direction) / k;
     float b2 = ew_length_squared(to_point - s0 * segment.direction);
 #ifdef EW_REACH
-    if (glow.y > 0.0) {
+    if (ew_has_reach(glow)) {
         vec2 chord = ew_chord_of(b2, k, s0, glow.y, segment.end);
         part = vec2(clamp(part.x, chord.x, chord.y), clamp(part.y, chord.x, chord.y));
     }
 #endif
     float sum = 0.0;
     if (EW_IS_NEEDED(part.x != part.y)) {
-        float sign = part.x < part.y ? 1.0 : -1.0;
+        float sign = mix(-1.0, 1.0, part.x < part.y);
         sum = sign * ew_integrate_within_reach(b2, k, s0, vec2(min(part.x, part.y), max(part.x, part.y)), glow);
     }
     return sum;
@@ -81,9 +81,9 @@ vec2 ew_light_of_ways(ew_point_ray ray, vec2 to, vec2 from, vec4 glow)
     vec4 q = sign(y) * (outside - ray.half_core) / (distance + d_core);
     vec4 x2 = ray.k * q * q;
     vec4 short_way = q * (2.0 + x2 * (0.66666667 + x2 * (0.4 + x2 * (0.28571429 + x2 * (0.22222222 + x2 * 0.18181818)))));
-    if (ray.is_short) linear += short_way;
+    linear += mix(vec4(0.0), short_way, bvec4(ray.is_short));
     vec2 difference = linear.xy - linear.zw;
-    return vec2(ray.is_short ? 1.0 : power.x * power.y, difference.x + difference.y);
+    return vec2(mix(power.x * power.y, 1.0, ray.is_short), difference.x + difference.y);
 }
 #endif
 
@@ -97,7 +97,7 @@ struct ew_node {
 // A free end: the cap that begins or ends at `edge`. It lies towards the ray's end if `is_ahead`.
 ew_node ew_make_end(float edge, bool is_ahead, vec2 chord)
 {
-    return ew_node(vec2(is_ahead ? chord.y : edge, edge), vec2(is_ahead ? edge : chord.x, edge));
+    return ew_node(vec2(mix(edge, chord.y, is_ahead), edge), vec2(mix(chord.x, edge, is_ahead), edge));
 }
 
 // A joint: the cap beyond the piece before it and the cap before the piece behind it, less the point itself. Where one cap
@@ -105,10 +105,11 @@ ew_node ew_make_end(float edge, bool is_ahead, vec2 chord)
 ew_node ew_make_joint(float beyond, bool is_beyond_ahead, float before, bool is_before_ahead, vec2 chord)
 {
     // Caps on different sides leave what is between their edges.
-    vec2 way = is_beyond_ahead ? vec2(before, beyond) : vec2(beyond, before);
-    if (is_beyond_ahead != is_before_ahead) return ew_node(way.xx, vec2(way.y, way.x));
+    bvec2 is_ahead = bvec2(is_beyond_ahead);
+    vec2 way = mix(vec2(beyond, before), vec2(before, beyond), is_ahead);
     vec2 edges = vec2(max(beyond, before), min(beyond, before));
-    return ew_node(is_beyond_ahead ? chord.yx : edges, is_beyond_ahead ? edges : chord.yx);
+    bvec2 is_split = bvec2(is_beyond_ahead != is_before_ahead);
+    return ew_node(mix(mix(edges, chord.yx, is_ahead), way.xx, is_split), mix(mix(chord.yx, edges, is_ahead), way.yx, is_split));
 }
 
 #ifdef EW_WORLD
@@ -123,8 +124,12 @@ float ew_integrate_node(ew_segment segment, vec3 position, ew_node node, vec4 gl
 #else
 float ew_integrate_node(ew_segment segment, vec3 position, ew_node node, vec4 glow)
 {
-    return ew_integrate_point_over(segment, position, vec2(node.from.x, node.to.x), glow) +
-           ew_integrate_point_over(segment, position, vec2(node.from.y, node.to.y), glow);
+    float sum = 0.0;
+    for (int i = 0; i < 2; ++i) {
+        vec2 way = mix(vec2(node.from.x, node.to.x), vec2(node.from.y, node.to.y), bvec2(i == 1));
+        sum += ew_integrate_point_over(segment, position, way, glow);
+    }
+    return sum;
 }
 #endif
 #endif
@@ -146,9 +151,14 @@ float ew_integrate_meeting(ew_segment segment, vec3 position, vec2 last, vec2 fi
     if (weights.x != weights.y) sum += (weights.x - weights.y) * ew_integrate_point_over(segment, position, last, glow);
     return sum;
 #else
-    return weights.x * ew_integrate_point_over(segment, position, last, glow) +
-           weights.y * ew_integrate_point_over(segment, position, first, glow) -
-           weights.y * ew_integrate_point_over(segment, position, whole, glow);
+    // A loop, because compilers put the point's integral into the shader for every place that calls it.
+    float sum = 0.0;
+    for (int i = 0; i < 3; ++i) {
+        vec2 part = mix(mix(whole, first, bvec2(i == 1)), last, bvec2(i == 0));
+        float weight = mix(mix(-weights.y, weights.y, i == 1), weights.x, i == 0);
+        sum += weight * ew_integrate_point_over(segment, position, part, glow);
+    }
+    return sum;
 #endif
 }
 #endif

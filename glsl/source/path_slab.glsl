@@ -28,7 +28,7 @@ float ew_s_at_plane(ew_slab slab, float place, vec2 chord)
 {
     float way = place - slab.along;
     bool is_parallel = abs(slab.growth) <= 1e-20 * abs(way);
-    return is_parallel ? (way > 0.0 ? chord.x : chord.y) : clamp(way / slab.growth, chord.x, chord.y);
+    return mix(clamp(way / slab.growth, chord.x, chord.y), mix(chord.y, chord.x, way > 0.0), is_parallel);
 }
 
 // The line's squared distance along the ray is b2 + k (s - s0)^2. `part` is cut to what is within reach.
@@ -41,7 +41,7 @@ void ew_find_line(ew_segment segment, ew_slab slab, vec4 glow, inout vec2 part, 
     s0 = dot(to_line, across) / k;
     b2 = ew_length_squared(to_line - s0 * across);
 #ifdef EW_REACH
-    if (glow.y > 0.0) {
+    if (ew_has_reach(glow)) {
         vec2 chord = ew_chord_of(b2, k, s0, glow.y, segment.end);
         part = vec2(clamp(part.x, chord.x, chord.y), clamp(part.y, chord.x, chord.y));
     }

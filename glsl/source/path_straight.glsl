@@ -11,7 +11,7 @@ float ew_integrate_slab(ew_segment segment, ew_slab slab, vec2 part, vec4 glow)
 
 float ew_integrate_line_of_piece(ew_segment segment, ew_slab slab, ew_path_block path, ew_planes planes)
 {
-    vec2 between = planes.is_along ? vec2(planes.start, planes.end) : vec2(planes.end, planes.start);
+    vec2 between = mix(vec2(planes.end, planes.start), vec2(planes.start, planes.end), bvec2(planes.is_along));
 #ifdef EW_WEIGHTS
     if (path.weights.y > 0.0) return ew_integrate_weighted_slab(segment, slab, path, between);
 #endif

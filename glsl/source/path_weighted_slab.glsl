@@ -25,12 +25,12 @@ float ew_integrate_weighted_part(ew_segment segment, ew_slab slab, vec2 part, ve
     float from = center;
     int panel = 0;
     do {
-        float stop = side < 0.0 ? part.x : part.y;
+        float stop = mix(part.y, part.x, side < 0.0);
         float away = abs(from - s0);
         // A panel up to the core's edge may end before it, by rounding. The next one then goes on beyond.
-        float size = away < 0.999 * half_core ? half_core - away : max(away, half_peak);
+        float size = mix(max(away, half_peak), half_core - away, away < 0.999 * half_core);
         size = min(size, 0.5 * (from + ew_beta()));
-        float to = side < 0.0 ? max(from - size, stop) : min(from + size, stop);
+        float to = mix(min(from + size, stop), max(from - size, stop), side < 0.0);
         vec4 s = from + (to - from) * EW_PATH_NODES;
         vec4 t = slab.t.x + scale * (slab.along + s * slab.growth);
         vec4 weight = weight_by_t.x + t * (weight_by_t.y + t * weight_by_t.z);
@@ -40,8 +40,8 @@ float ew_integrate_weighted_part(ew_segment segment, ew_slab slab, vec2 part, ve
         vec4 value = weight * (inversesqrt(squared) - ew_inverse_reach(glow)) / (depth * depth);
         sum += abs(to - from) * dot(EW_PATH_NODE_WEIGHTS, value);
         bool is_side_done = to == stop;
-        from = is_side_done ? center : to;
-        side = is_side_done ? side + 2.0 : side;
+        from = mix(to, center, is_side_done);
+        side += mix(0.0, 2.0, is_side_done);
     } while (side < 2.0 && ++panel < EW_MAX_PATH_PANELS);
     ew_evaluation_count += 4;
     return sum;
@@ -55,7 +55,7 @@ float ew_integrate_weighted_side(float b2, float k, float s0, float from, float 
     float y_to = to - s0;
     float d_from = sqrt(b2 + k * y_from * y_from);
     float d_to = sqrt(b2 + k * y_to * y_to);
-    float least2 = y_from * y_to > 0.0 ? ew_square(min(d_from, d_to)) : b2;
+    float least2 = mix(b2, ew_square(min(d_from, d_to)), y_from * y_to > 0.0);
     if (k * ew_square(0.5 * (to - from)) < 0.1 * least2) {
         vec4 y = y_from + (to - from) * EW_PATH_NODES;
         vec4 weight = polynomial.x + y * (polynomial.y + y * polynomial.z);

@@ -22,7 +22,7 @@ ew_reciprocals ew_reciprocals_at(ew_arc arc, ew_passage passage, float s)
 #ifdef EW_WORLD
     float source = inversesqrt(max(distance_squared, epsilon2));
     bool is_in_core = s > passage.core.x && s < passage.core.y;
-    return ew_reciprocals(source, is_in_core ? source : inversesqrt(max(model, 1e-30)), tau);
+    return ew_reciprocals(source, mix(inversesqrt(max(model, 1e-30)), source, is_in_core), tau);
 #else
     return ew_reciprocals(inversesqrt(max(distance_squared, epsilon2)), inversesqrt(max(model, epsilon2)), tau);
 #endif
@@ -69,7 +69,7 @@ float ew_kink_factor(ew_arc arc, vec4 source, vec4 s)
 #endif
     float nearest = max(max(source.x, source.y), max(source.z, source.w));
     float farthest = min(min(source.x, source.y), min(source.z, source.w));
-    return nearest > (1.0 - 1e-6) * core && farthest < (1.0 - 1e-6) * core ? EW_KINK : 1.0;
+    return mix(1.0, EW_KINK, nearest > (1.0 - 1e-6) * core && farthest < (1.0 - 1e-6) * core);
 }
 #endif
 

@@ -32,16 +32,14 @@ struct ew_rule {
 // difference is that of f.
 ew_rule ew_choose_rule(bool starts_at_zero)
 {
-    ew_rule rule = ew_rule(vec4(0.06943184, 0.33000948, 0.66999052, 0.93056816),
-                           vec4(0.17392742, 0.32607258, 0.32607258, 0.17392742),
-                           vec4(-0.2318919, 0.5873578, -0.5873578, 0.2318919), EW_CURVATURE_SHARE);
-    if (starts_at_zero) {
-        rule.nodes = vec4(0.13975986, 0.41640957, 0.72315699, 0.94289580);
-        rule.weights = vec4(0.22310390, 0.31182653, 0.28135601, 0.14371356);
-        rule.differences = vec4(-1.7249797, 1.6796979, -1.0989184, 0.3567003);
-        rule.curvature_share = EW_CURVATURE_SHARE_AT_PEAK;
-    }
-    return rule;
+    bvec4 jacobi = bvec4(starts_at_zero);
+    return ew_rule(mix(vec4(0.06943184, 0.33000948, 0.66999052, 0.93056816),
+                       vec4(0.13975986, 0.41640957, 0.72315699, 0.94289580), jacobi),
+                   mix(vec4(0.17392742, 0.32607258, 0.32607258, 0.17392742),
+                       vec4(0.22310390, 0.31182653, 0.28135601, 0.14371356), jacobi),
+                   mix(vec4(-0.2318919, 0.5873578, -0.5873578, 0.2318919),
+                       vec4(-1.7249797, 1.6796979, -1.0989184, 0.3567003), jacobi),
+                   mix(EW_CURVATURE_SHARE, EW_CURVATURE_SHARE_AT_PEAK, starts_at_zero));
 }
 
 // A stretch as seen from its passage, or from its end nearest to the passage if that is outside.
@@ -72,14 +70,14 @@ ew_stretch ew_make_stretch(ew_arc arc, ew_passage passage, float from, float to)
     stretch.center = clamp(passage.s0, from, to);
 #ifdef EW_WORLD
     bool has_core = passage.core.x < passage.core.y;
-    if (has_core) stretch.center = clamp(stretch.center, passage.core.x, passage.core.y);
+    stretch.center = mix(stretch.center, clamp(stretch.center, passage.core.x, passage.core.y), has_core);
     stretch.depth = 1.0;
     stretch.depth2 = 1.0;
     stretch.x_from = stretch.center - from;
     stretch.x_to = stretch.center - to;
     // In the core the model is the arc itself, and without weights there is no rest.
-    stretch.core = has_core ? stretch.center - passage.core : vec2(0.0);
-    stretch.starts = ew_has_weights(arc) ? vec2(0.0) : stretch.core;
+    stretch.core = mix(vec2(0.0), stretch.center - passage.core, bvec2(has_core));
+    stretch.starts = mix(stretch.core, vec2(0.0), bvec2(ew_has_weights(arc)));
 #else
     stretch.starts = vec2(0.0);
     float beta = ew_beta();
@@ -99,7 +97,7 @@ ew_stretch ew_make_stretch(ew_arc arc, ew_passage passage, float from, float to)
 #else
     bool passes_core = passage.b2 < epsilon2;
     float half_core = scale * sqrt(max(epsilon2 - passage.b2, 0.04 * epsilon2));
-    stretch.first_panel = passes_core ? half_core : stretch.peak;
+    stretch.first_panel = mix(stretch.peak, half_core, passes_core);
     stretch.is_inside = passage.is_touching && passage.s0 > from && passage.s0 < to;
     stretch.is_wide = stretch.peak >= 8.0 * (stretch.x_from - stretch.x_to)
                       && (!passes_core || half_core > stretch.x_from - stretch.x_to);
@@ -124,11 +122,11 @@ ew_progress ew_start_stretch(ew_stretch stretch, float from_piece, float center_
     bool has_near_side = stretch.x_from > stretch.starts.x;
     bool ends_at_from = has_near_side || stretch.is_wide;
     ew_progress progress;
-    progress.x = stretch.is_wide ? stretch.x_to : has_near_side ? stretch.starts.x : stretch.starts.y;
-    progress.remaining = (ends_at_from ? stretch.x_from : stretch.x_to) - progress.x;
+    progress.x = mix(mix(stretch.starts.y, stretch.starts.x, has_near_side), stretch.x_to, stretch.is_wide);
+    progress.remaining = mix(stretch.x_to, stretch.x_from, ends_at_from) - progress.x;
     progress.proposal = clamp(progress.remaining, -stretch.first_panel, stretch.first_panel);
-    progress.piece = stretch.is_wide ? to_piece : center_piece;
-    progress.last_piece = ends_at_from ? from_piece : to_piece;
+    progress.piece = mix(center_piece, to_piece, stretch.is_wide);
+    progress.last_piece = mix(to_piece, from_piece, ends_at_from);
     progress.starts_at_zero = stretch.is_inside && !stretch.is_wide;
     progress.is_last_side = stretch.is_wide || !has_near_side || stretch.x_to == stretch.starts.y;
     return progress;
@@ -156,15 +154,15 @@ float ew_width_to_knot(ew_arc arc, ew_stretch stretch, ew_progress progress)
 #else
     float width = -knot / ((knot + stretch.depth) * stretch.depth) - progress.x;
 #endif
-    return progress.remaining >= 0.0 ? clamp(width, 0.0, progress.remaining) : clamp(width, progress.remaining, 0.0);
+    return clamp(width, min(progress.remaining, 0.0), max(progress.remaining, 0.0));
 }
 
 #ifdef EW_WORLD
 // The width of a panel that ends at the edge of the core, of a side that begins in it; 0 for one beyond.
 float ew_width_to_edge(ew_stretch stretch, ew_progress progress)
 {
-    float width = (progress.remaining >= 0.0 ? stretch.core.x : stretch.core.y) - progress.x;
-    return width * progress.remaining > 0.0 ? width : 0.0;
+    float width = mix(stretch.core.y, stretch.core.x, progress.remaining >= 0.0) - progress.x;
+    return mix(0.0, width, width * progress.remaining > 0.0);
 }
 #endif
 
@@ -173,13 +171,15 @@ ew_progress ew_advance(ew_stretch stretch, ew_progress progress, float width, bo
 {
     float left = progress.remaining - width;
     float next = EW_PANEL_GROWTH * width;
-    if (progress.starts_at_zero) next = width >= 0.0 ? max(next, stretch.peak) : min(next, -stretch.peak);
-    if (is_at_knot) next = progress.proposal;
-    if (is_at_knot && is_fine) progress.piece += progress.last_piece > progress.piece ? 1.0 : -1.0;
-    if (abs(left) < 1.5 * abs(next) || is_last_try) next = left;
-    progress.x = is_fine ? progress.x + width : progress.x;
-    progress.remaining = is_fine ? left : progress.remaining;
-    progress.proposal = is_fine ? next : EW_PANEL_SHRINKAGE * width;
+    float past_peak = mix(min(next, -stretch.peak), max(next, stretch.peak), width >= 0.0);
+    next = mix(next, past_peak, progress.starts_at_zero);
+    next = mix(next, progress.proposal, is_at_knot);
+    float next_piece = progress.piece + mix(-1.0, 1.0, progress.last_piece > progress.piece);
+    progress.piece = mix(progress.piece, next_piece, is_at_knot && is_fine);
+    next = mix(next, left, abs(left) < 1.5 * abs(next) || is_last_try);
+    progress.x = mix(progress.x, progress.x + width, is_fine);
+    progress.remaining = mix(progress.remaining, left, is_fine);
+    progress.proposal = mix(EW_PANEL_SHRINKAGE * width, next, is_fine);
     progress.starts_at_zero = progress.starts_at_zero && !is_fine;
     return progress;
 }
@@ -207,13 +207,12 @@ float ew_integrate_rest(ew_arc arc, ew_passage passage, float from, float to, fl
         float to_knot = ew_width_to_knot(arc, stretch, progress);
         bool has_knot = ew_has_knot(progress.piece, progress.last_piece) && !is_last_try;
         bool is_at_knot = has_knot && abs(to_knot) <= abs(progress.proposal);
-        float width = is_at_knot ? to_knot : progress.proposal;
+        float width = mix(progress.proposal, to_knot, is_at_knot);
 #ifdef EW_WORLD
         float to_edge = ew_width_to_edge(stretch, progress);
-        if (to_edge != 0.0 && abs(to_edge) <= abs(width)) {
-            width = to_edge;
-            is_at_knot = is_at_knot && to_knot == to_edge;
-        }
+        bool is_at_edge = to_edge != 0.0 && abs(to_edge) <= abs(width);
+        width = mix(width, to_edge, is_at_edge);
+        is_at_knot = is_at_knot && (!is_at_edge || to_knot == to_edge);
 #endif
 
         ew_rule rule = ew_choose_rule(progress.starts_at_zero);
@@ -226,7 +225,7 @@ float ew_integrate_rest(ew_arc arc, ew_passage passage, float from, float to, fl
         float error = (abs(dot(rest.values, rule.differences)) + rule.curvature_share * rest.curvature) * abs(width);
         // Panels shorter than the digits of s would only add up noise.
         bool is_fine = error <= allowance || is_last_try || abs(width) * stretch.depth2 < 1e-6 * stretch.center;
-        sum += is_fine ? abs(width) * dot(rule.weights, rest.values) : 0.0;
+        sum += mix(0.0, abs(width) * dot(rule.weights, rest.values), is_fine);
 
         bool is_side_done = is_fine && width == progress.remaining;
         if (is_side_done && progress.is_last_side) break;
