@@ -1,5 +1,4 @@
-// A browser that draws by the rasteriser of that name, and what it is given: files by name. What it leaves behind, it leaves in
-// `folder`.
+// Chromium with a page, served from this machine.
 import { chromium } from 'playwright-core';
 import { createServer } from 'node:http';
 import { readFile } from 'node:fs/promises';
@@ -9,34 +8,50 @@ const rasterisers = {
     llvmpipe: ['--use-gl=angle', '--use-angle=gl', '--ignore-gpu-blocklist'],
 };
 
+// What the page is to be drawn by, as the browser calls it.
+const renderers = { swiftshader: /SwiftShader/, llvmpipe: /llvmpipe/ };
+
 const types = { html: 'text/html', js: 'text/javascript', mjs: 'text/javascript', wasm: 'application/wasm' };
 
-// Serves the files of a table from names to paths.
+// `files` maps names to paths.
 async function serve(files) {
     const server = createServer(async (request, response) => {
-        const name = request.url.slice(1);
-        const text = files[name] && (await readFile(files[name]));
-        response.writeHead(text ? 200 : 404, { 'Content-Type': types[name.split('.').pop()] ?? 'application/octet-stream' });
-        response.end(text);
+        const path = files[request.url.slice(1)];
+        response.writeHead(path ? 200 : 404, { 'Content-Type': types[request.url.split('.').pop()] ?? 'application/octet-stream' });
+        response.end(path && (await readFile(path)));
     });
     await new Promise((resolve) => server.listen(0, '127.0.0.1', resolve));
     return server;
 }
 
+function renderer() {
+    const gl = document.createElement('canvas').getContext('webgl2');
+    const info = gl?.getExtension('WEBGL_debug_renderer_info');
+    return info ? gl.getParameter(info.UNMASKED_RENDERER_WEBGL) : 'nothing';
+}
+
+// Opens page.html in a browser that draws by `rasteriser`, with a profile of its own in `folder`. Needs a display, since Chromium
+// draws by llvmpipe only to a window.
 export async function open(rasteriser, folder, files) {
     const server = await serve(files);
-    const context = await chromium.launchPersistentContext(`${folder}/profile-${rasteriser}`, {
+    const browser = await chromium.launchPersistentContext(`${folder}/profile-${rasteriser}`, {
         executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium',
         headless: false,
-        args: [...rasterisers[rasteriser], '--no-sandbox', '--disable-gpu-watchdog'],
+        // Chromium refuses to run as root with a sandbox.
+        args: [...rasterisers[rasteriser], ...(process.getuid() === 0 ? ['--no-sandbox'] : [])],
     });
-    const page = await context.newPage();
+    const page = browser.pages()[0];
     page.on('console', (message) => console.log(`${rasteriser}: ${message.text()}`));
     page.on('pageerror', (error) => console.log(`${rasteriser}: ${error}`));
-    await page.goto(`http://127.0.0.1:${server.address().port}/page.html`);
     const close = async () => {
-        await context.close();
+        await browser.close();
         server.close();
     };
-    return { page, context, close };
+    await page.goto(`http://127.0.0.1:${server.address().port}/page.html`);
+    const found = await page.evaluate(renderer);
+    if (!renderers[rasteriser].test(found)) {
+        await close();
+        throw new Error(`Chromium draws by ${found} rather than by ${rasteriser}`);
+    }
+    return { page, close };
 }
