@@ -99,8 +99,8 @@ static const struct group {
     {load_desktop, {{false, 30, NULL, ""}}},
 };
 
-/* Loads a group if the source has it. What a version promises must be there. An extension may be listed without its functions: a
- * browser knows more of them than the loader of a program that was compiled for it. It then counts as absent. */
+/* Loads a group if the source has it. What a version promises must be there. An extension may be listed without its functions:
+ * a browser knows more of them than the loader of a program that was compiled for it. It then counts as absent. */
 static bool load_from(const struct group *group, const group_source *source, ew_gl *gl, function_loader *loader)
 {
     if (source->es != gl->es || source->version == 0) return false;

@@ -260,6 +260,34 @@ static void optional_functions_come_with_versions_and_extensions_only(void **sta
     assert_null(gl.ViewportIndexedf);
 }
 
+/* A browser lists more extensions than the loader of a page's program knows. */
+static void an_extension_without_its_functions_counts_as_absent(void **state)
+{
+    (void)state;
+    fake = (struct fake_context){.version = "OpenGL ES 3.0 (WebGL 2.0 (OpenGL ES 3.0 Chromium))",
+                                 .extensions = {"GL_OES_draw_buffers_indexed"},
+                                 .absent = {"glIsEnablediOES"}};
+    assert_int_equal(load(), EW_OK);
+    assert_null(gl.ColorMaski);
+    assert_null(gl.Enablei);
+    assert_non_null(gl.BlendEquationi); /* a group of its own, which is complete */
+
+    fake.extensions[1] = "GL_EXT_draw_buffers_indexed";
+    assert_int_equal(load(), EW_OK);
+    assert_non_null(gl.Enablei);
+}
+
+static void webgl_is_told_from_opengl_es(void **state)
+{
+    (void)state;
+    fake = (struct fake_context){.version = "OpenGL ES 3.0 (WebGL 2.0 (OpenGL ES 3.0 Chromium))"};
+    assert_int_equal(load(), EW_OK);
+    assert_true(gl.es && gl.web);
+    fake.version = "OpenGL ES 3.2 Mesa 22.3.6";
+    assert_int_equal(load(), EW_OK);
+    assert_true(gl.es && !gl.web);
+}
+
 static bool is_unwanted(GLenum capability)
 {
     for (int i = 0; i < gl.unwanted_capability_count; i++)
@@ -349,6 +377,8 @@ int main(void)
         cmocka_unit_test(a_loader_that_knows_nothing_is_an_error),
         cmocka_unit_test(functions_that_the_version_promises_are_needed),
         cmocka_unit_test(optional_functions_come_with_versions_and_extensions_only),
+        cmocka_unit_test(an_extension_without_its_functions_counts_as_absent),
+        cmocka_unit_test(webgl_is_told_from_opengl_es),
         cmocka_unit_test(capabilities_are_asked_for_only_where_they_are_known),
         cmocka_unit_test(a_clip_origin_is_asked_for_only_where_it_can_be_set),
         cmocka_unit_test(grids_need_float_targets_and_points_as_large_as_blocks),

@@ -11,13 +11,14 @@ rm -rf cross_compiled && mkdir cross_compiled && "$1" cross_compiled || exit 1
 cd cross_compiled || exit 1
 
 # crosses FILE...: prints the names of those that a compiler refuses, and what it says. SPIR-V takes GLSL ES from 3.10 on, which
-# has all that 3.00 has.
+# has all that 3.00 has. HLSL has no size of points: ANGLE makes quads of them.
 cat > crosses << 'SCRIPT'
 for shader; do
     sed '1s/^#version 300 es/#version 310 es/' "$shader" > $$."${shader##*.}"
     {
         glslangValidator -G100 --auto-map-locations --auto-map-bindings -o $$.spv $$."${shader##*.}" &&
-            spirv-cross --hlsl --shader-model 50 --output $$.hlsl $$.spv && spirv-cross --msl --output $$.metal $$.spv
+            { grep -q gl_PointSize "$shader" || spirv-cross --hlsl --shader-model 50 --output $$.hlsl $$.spv; } &&
+            spirv-cross --msl --output $$.metal $$.spv
     } > $$.log 2>&1 || { echo "$shader"; cat $$.log; }
 done
 rm -f $$.*

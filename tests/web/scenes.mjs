@@ -14,7 +14,7 @@ const mostLeft = 0.001; // of the pixels: silhouettes
 // All kinds of sources, alone and together, with and without weights, sharpness, joints, bends, opaque shapes and an interval.
 const names = ['showpiece', 'torus-0.9-oblique', 'weights-seven', 'beziers-5.0-side', 'artists/beam-struggle', 'artists/bolt',
     'artists/slash', 'artists/aura', 'artists/portal'];
-const size = ['--size', '192x108'];
+const size = ['--size', '400x225']; // enough pixels for adaptive resolution
 
 const files = {
     'page.html': `${here}/page.html`,
