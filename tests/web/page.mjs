@@ -63,7 +63,7 @@ async function differencesOf(name, options) {
 }
 
 // Compares a scene's picture with the native one. At the silhouettes of opaque shapes rasterisers may choose another surface: pixels in
-// which `NAME-dark`, the scene without its light, differs by more than `allowed` do not count, but how many they are is told.
+// which `NAME-dark`, the scene without its light and recoloured, differs by more than `allowed` do not count, but how many they are is told.
 window.compare = async (name, options, allowed) => {
     messages.length = 0;
     const dark = await differencesOf(`${name}-dark`, options);

@@ -14,7 +14,9 @@ const mostLeft = 0.001; // of the pixels: silhouettes
 // All kinds of sources, alone and together, with and without weights, sharpness, joints, bends, opaque shapes and an interval.
 const names = ['showpiece', 'torus-0.9-oblique', 'weights-seven', 'beziers-5.0-side', 'artists/beam-struggle', 'artists/bolt',
     'artists/slash', 'artists/aura', 'artists/portal'];
-const size = ['--size', '400x225']; // enough pixels for adaptive resolution
+// Enough pixels for adaptive resolution, and no face of a pillar seen along itself: rasterisers place vertices to a 16th or a 256th of a
+// pixel, by which the depth of such a face changes.
+const size = ['--size', '368x207'];
 
 const files = {
     'page.html': `${here}/page.html`,
@@ -30,6 +32,8 @@ function addScene(name, path) {
 }
 for (const name of names) {
     const { points, lines, tori, curves, paths, ...dark } = JSON.parse(readFileSync(`${scenes}/${name}.json`));
+    // In colours far apart, so that no two surfaces look alike.
+    dark.opaque?.forEach((shape, i) => (shape.color = [0.618, 0.414, 0.236].map((step) => (i * step) % 1)));
     const darkPath = `${folder}/${basename(name)}-dark.json`;
     writeFileSync(darkPath, JSON.stringify(dark));
     addScene(`${basename(name)}-dark`, darkPath);
