@@ -34,7 +34,8 @@ ew_ray_field ew_make_ray_field(const ew_view *view, const ew_interval *depths)
 static double half_diagonal(double half_width, const double x[2], double half_height, const double y[2])
 {
     double a = half_width * x[0], b = half_height * y[0], c = half_width * x[1], d = half_height * y[1];
-    return fmax(hypot(a + b, c + d), hypot(a - b, c - d));
+    double sum = (a + b) * (a + b) + (c + d) * (c + d), difference = (a - b) * (a - b) + (c - d) * (c - d);
+    return sqrt(sum > difference ? sum : difference);
 }
 
 ew_cone ew_cone_of(const ew_ray_field *field, const double low[2], const double high[2])
@@ -167,15 +168,33 @@ static bool is_over(const ew_cone *cone, const ew_hull *seen, double depth, doub
     return true;
 }
 
-/* Polygons are met at an edge, or else where the axis goes through or ends over them. */
-bool ew_cone_meets(const ew_cone *cone, const ew_hull *seen, double radius)
+/* Whether the cone comes within `reach` of a corner or an edge of the hull, or of the line that it is. */
+static bool meets_outline(const ew_cone *cone, const ew_hull *seen, double reach)
 {
-    double reach = radius + cone->width;
     if (ew_hull_is_line(seen)) return meets_line(cone, seen->corners[0], seen->direction, HUGE_VAL, reach);
     for (size_t i = 0; i < seen->corner_count; ++i)
         if (meets_place(cone, seen->corners[i], reach)) return true;
     for (size_t i = 0; i + (seen->corner_count == 2 ? 1 : 0) < seen->corner_count && seen->corner_count > 1; ++i)
         if (meets_edge(cone, seen->corners[i], seen->corners[(i + 1) % seen->corner_count], reach)) return true;
+    return false;
+}
+
+/* Polygons are met at an edge, or else where the axis goes through or ends over them. */
+bool ew_cone_meets(const ew_cone *cone, const ew_hull *seen, double radius)
+{
+    double reach = radius + cone->width;
+    if (meets_outline(cone, seen, reach)) return true;
     return seen->corner_count > 2 && (goes_through(cone, seen) || is_over(cone, seen, cone->depths.start, reach) ||
                                       is_over(cone, seen, cone->depths.end, reach));
+}
+
+/* At a depth where the axis is so close to a place of the outline, |A(z) - p| <= R - width - growth z, all rays are close to
+ * it. */
+bool ew_cone_is_covered(const ew_cone *cone, const ew_hull *seen, double radius)
+{
+    ew_cone inner = *cone;
+    inner.growth = -cone->growth;
+    double last = cone->growth > 0 ? (radius - cone->width) / cone->growth : HUGE_VAL;
+    if (last < inner.depths.end) inner.depths.end = last;
+    return radius > cone->width && meets_outline(&inner, seen, radius - cone->width);
 }

@@ -29,4 +29,7 @@ ew_cone ew_cone_of(const ew_ray_field *field, const double low[2], const double 
  */
 bool ew_cone_meets(const ew_cone *cone, const ew_hull *seen, double radius);
 
+/* Whether all rays of the cone do so. May say no where they do. */
+bool ew_cone_is_covered(const ew_cone *cone, const ew_hull *seen, double radius);
+
 #endif

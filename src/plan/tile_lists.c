@@ -124,14 +124,21 @@ static ew_cone cone_of(const search *s, const tile_box *box)
     return ew_cone_of(&s->rays, low, high);
 }
 
+static void add_all(search *s, const tile_box *box)
+{
+    for (int row = box->first[1]; row < box->end[1]; ++row)
+        for (int column = box->first[0]; column < box->end[0]; ++column)
+            add(s, (const int[2]){column, row});
+}
+
 /* Adds the tiles of a box that may be lit by what is around a hull. */
 static void add_box(search *s, const ew_hull *seen, const tile_box *box)
 {
     const ew_cone cone = cone_of(s, box);
     if (s->is_over || !ew_cone_meets(&cone, seen, s->source->reach)) return;
     const int width = box->end[0] - box->first[0], height = box->end[1] - box->first[1], axis = height > width;
-    if (width * height == 1) {
-        add(s, box->first);
+    if (width * height == 1 || ew_cone_is_covered(&cone, seen, s->source->reach)) {
+        add_all(s, box);
         return;
     }
     tile_box half = *box;
@@ -160,13 +167,6 @@ static void add_hull(search *s, const ew_hull *hull)
     if (box.first[0] < box.end[0] && box.first[1] < box.end[1]) add_box(s, &seen, &box);
 }
 
-static void add_all(search *s)
-{
-    for (int row = 0; row < s->lists->rows; ++row)
-        for (int column = 0; column < s->lists->columns; ++column)
-            add(s, (const int[2]){column, row});
-}
-
 static void add_source(search *s)
 {
     const size_t hulls = s->source->reach > 0 ? ew_count_hulls(s->source) : 0;
@@ -174,7 +174,7 @@ static void add_source(search *s)
         const ew_hull hull = ew_hull_of_source(s->source, i);
         add_hull(s, &hull);
     }
-    if (s->source->reach == 0) add_all(s);
+    if (s->source->reach == 0) add_all(s, &(tile_box){{0, 0}, {s->lists->columns, s->lists->rows}});
 }
 
 /* Finds all pairs. Returns false if there is no memory, or if there are too many: then EW_MAX_LIST_ENTRIES are taken. */
@@ -269,11 +269,20 @@ static bool has_reach(const ew_sources *sources)
     return false;
 }
 
+/* Where the lists of the frame before needed wider tiles, these will, unless there was much room left. */
+static int first_size(const ew_tile_lists *lists, size_t most)
+{
+    int last = lists->size_log2 < ONE_TILE_LOG2 ? lists->size_log2 : 0;
+    if (lists->entry_count > 0 && lists->entry_count < most / 5) --last;
+    return last > EW_TILE_SIZE_LOG2 ? last : EW_TILE_SIZE_LOG2;
+}
+
 ew_result ew_make_tile_lists(ew_tile_lists *lists, const ew_sources *sources, const ew_view *view, const ew_interval *depths,
                              const ew_viewport *viewport, size_t most, const ew_allocator *allocator, ew_error *error)
 {
+    int first_size_log2 = has_reach(sources) ? first_size(lists, most) : ONE_TILE_LOG2;
     lists->entry_count = 0;
-    for (int size_log2 = has_reach(sources) ? EW_TILE_SIZE_LOG2 : ONE_TILE_LOG2; size_log2 <= ONE_TILE_LOG2; ++size_log2) {
+    for (int size_log2 = first_size_log2; size_log2 <= ONE_TILE_LOG2; ++size_log2) {
         lists->size_log2 = size_log2;
         lists->columns = tiles_over(viewport->width, size_log2);
         lists->rows = tiles_over(viewport->height, size_log2);

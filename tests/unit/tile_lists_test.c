@@ -12,7 +12,7 @@ enum { SIZE = LIT_SCENE_SIZE, SCENES = 40, PLACES = 10000, MOST = 32768, MARGIN 
 static ew_plan plan_of(const ew_sources_desc *desc, const ew_frame_desc *frame, size_t most, ew_sources *sources,
                        ew_tile_lists *lists)
 {
-    ew_plan plan;
+    ew_plan plan = {0};
     ew_error error = {EW_OK, ""};
     if (ew_sources_set(sources, desc, &ew_default_allocator, &error) != EW_OK ||
         ew_plan_frame(&plan, sources, NULL, frame, &error) != EW_OK ||
