@@ -349,9 +349,9 @@ typedef enum ew_resolution {
      * what another `quality` is named by.
      *
      * It is for EW_INTEGRATOR_ADAPTIVE. The picture is as with FULL if it has fewer than 65,536 pixels, or no more to
-     * integrate than three points or lines or one straight beam, if its output is EW_OUTPUT_EVALUATIONS, or if the context
-     * cannot draw to float textures (OpenGL ES before 3.2 without EXT_color_buffer_float). Takes 0.58 bytes of GL memory for
-     * each pixel of the largest viewport, allocated when a viewport is larger than any before. */
+     * integrate than two points or lines or one straight beam without a reach, if its output is EW_OUTPUT_EVALUATIONS, or if
+     * the context cannot draw to float textures (OpenGL ES before 3.2 without EXT_color_buffer_float). Takes 0.58 bytes of GL
+     * memory for each pixel of the largest viewport, allocated when a viewport is larger than any before. */
     EW_RESOLUTION_ADAPTIVE,
 } ew_resolution;
 

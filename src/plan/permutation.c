@@ -48,12 +48,15 @@ static size_t count_in(const ew_mix *mix, int kind)
     return count;
 }
 
+/* About how many times as long a source takes where sources have reaches. */
+enum { COST_OF_REACHES = 3 };
+
 double ew_mix_cost(const ew_mix *mix)
 {
     double cost = 0;
     for (int kind = 0; kind < EW_KIND_COUNT; ++kind)
         cost += (double)count_in(mix, kind) * ew_kinds[kind]->cost_in_points;
-    return cost;
+    return mix->has_reach ? COST_OF_REACHES * cost : cost;
 }
 
 unsigned ew_permutation_of(const ew_mix *mix, const ew_frame_desc *frame)

@@ -38,7 +38,7 @@ typedef enum ew_depth_kind { EW_DEPTH_KIND_NONE, EW_DEPTH_KIND_SINGLE, EW_DEPTH_
 /* The key of the shader that draws `mix` as `frame` says, without depth. */
 unsigned ew_permutation_of(const ew_mix *mix, const ew_frame_desc *frame);
 
-/* What a pixel of the mix costs, in points. */
+/* What a pixel of the mix costs, in points without a reach. */
 double ew_mix_cost(const ew_mix *mix);
 
 /* The key with that depth. */

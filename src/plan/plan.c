@@ -143,7 +143,7 @@ static ew_blend blend_of(ew_output output)
 }
 
 /* Below these, the passes of a grid cost more than they save: pixels, and what one of them costs (see ew_mix_cost). */
-enum { MIN_ADAPTIVE_PIXELS = 256 * 256, MIN_ADAPTIVE_COST = 4 };
+enum { MIN_ADAPTIVE_PIXELS = 256 * 256, MIN_ADAPTIVE_COST = 3 };
 
 static bool is_adaptive(const ew_frame_desc *frame, const ew_mix *mix)
 {

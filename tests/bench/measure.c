@@ -106,11 +106,12 @@ static bool write_picture(const drawn_picture *picture, const char *folder, cons
     return written;
 }
 
-/* Draws what is not timed, which is also the first draw, with the shaders' compilation: for the errors and the evaluations. */
+/* Draws what is not timed: once as timed, with the shaders' compilation, and then for the errors and the evaluations. */
 static bool measure_errors(bench_stage *stage, error_stage *errors, const char *name, const char *pictures,
                            const bench_integrator *integrator, measurement *result, char *message, size_t size)
 {
     picture_comparison comparison;
+    if (!stage_draw(stage, integrator, EW_OUTPUT_ADD, message, size)) return false;
     if (!stage_draw(stage, integrator, EW_OUTPUT_LUMINANCE, message, size)) return false;
     if (integrator->family == FAMILY_BARE) return true;
     stage_read(stage, errors->picture.luminance);
@@ -207,7 +208,7 @@ static bool measure_times(gl_context *context, bench_stage *stage, const char *n
             if (!takes_part(round, settings->repetitions, wanted)) continue;
             progress_show("%s: round %d of %d, %s", name, round + 1, settings->repetitions, settings->integrators[i].name);
             stopwatch_start(&stopwatch);
-            ok = stage_draw(stage, &settings->integrators[i], EW_OUTPUT_LUMINANCE, message, size);
+            ok = stage_draw(stage, &settings->integrators[i], EW_OUTPUT_ADD, message, size);
             own[results[i].repetitions++] = stopwatch_stop(&stopwatch);
         }
     }

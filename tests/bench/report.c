@@ -18,7 +18,8 @@ static void write_measures(FILE *file, const bench_results *results)
     const bench_machine *machine = &results->machine;
     fputs("## What is measured\n\n", file);
     fprintf(file,
-            "- Time: one frame, luminance only, measured %s. All take turns. The median is over %d frames, or over fewer "
+            "- Time: one frame, added to the target by this library and the published method, measured %s. All take turns. The "
+            "median is over %d frames, or over fewer "
             "(at least %d) if these would take more than %g s.\n",
             machine->has_gl_timer ? "by GL's own timer" : "by the wall clock from `glFinish` to `glFinish`",
             settings->repetitions, MEASURE_MIN_REPETITIONS, MEASURE_BUDGET / 1000);

@@ -48,7 +48,7 @@ void stage_destroy(bench_stage *stage)
 bool stage_draw(bench_stage *stage, const bench_integrator *integrator, ew_output output, char *message, size_t size)
 {
     if (!integrator_is_ours(integrator) && integrator->family != FAMILY_SIMPSON)
-        return peers_draw(stage->peers, integrator, output, message, size);
+        return peers_draw(stage->peers, integrator, output == EW_OUTPUT_ADD ? EW_OUTPUT_LUMINANCE : output, message, size);
     ew_error error;
     ew_frame_desc frame = stage->frame;
     frame.output = output;

@@ -26,7 +26,8 @@ bool stage_create(gl_context *context, const demo_scene *scene, int width, int h
                   size_t size);
 void stage_destroy(bench_stage *stage);
 
-/* Draws; `output` is EW_OUTPUT_LUMINANCE or EW_OUTPUT_EVALUATIONS. */
+/* Draws; `output` is EW_OUTPUT_LUMINANCE, EW_OUTPUT_EVALUATIONS, or EW_OUTPUT_ADD for a frame as hosts draw it, added to what
+ * the target has. Peers know only the first two, and draw the luminance in place of the third. */
 bool stage_draw(bench_stage *stage, const bench_integrator *integrator, ew_output output, char *message, size_t size);
 
 /* What was drawn last: one float a pixel, rows from the bottom. */

@@ -68,12 +68,13 @@ static void a_given_mix_takes_the_place_of_the_sources_own(void **state)
 static void resolution_is_adaptive_where_the_header_says(void **state)
 {
     (void)state;
-    const ew_mix curve = {.curve_count = 1}, three_points = {.point_count = 3}, four_points = {.point_count = 4},
-                 beam = {.path_count = 1}, beams = {.path_count = 2};
+    const ew_mix curve = {.curve_count = 1}, two_points = {.point_count = 2}, three_points = {.point_count = 3},
+                 beam = {.path_count = 1}, beams = {.path_count = 2}, orb = {.point_count = 1, .has_reach = 1};
     ew_frame_desc frame = make_frame();
     assert_true(plan_of(&frame, &curve).is_adaptive);
-    assert_true(plan_of(&frame, &four_points).is_adaptive && plan_of(&frame, &beams).is_adaptive);
-    assert_false(plan_of(&frame, &three_points).is_adaptive || plan_of(&frame, &beam).is_adaptive);
+    assert_true(plan_of(&frame, &three_points).is_adaptive && plan_of(&frame, &beams).is_adaptive);
+    assert_true(plan_of(&frame, &orb).is_adaptive);
+    assert_false(plan_of(&frame, &two_points).is_adaptive || plan_of(&frame, &beam).is_adaptive);
 
     frame.viewport_width = frame.viewport_height = 256;
     assert_true(plan_of(&frame, &curve).is_adaptive);
