@@ -102,7 +102,7 @@ extern "C" {
 #define EW_RESULTS(X)                                                                                                          \
     X(EW_OK, "success")                                                                                                        \
     X(EW_ERROR_INVALID_ARGUMENT, "a parameter is outside its range")                                                           \
-    X(EW_ERROR_TOO_MANY_SOURCES, "more sources than the effect can hold")                                                      \
+    X(EW_ERROR_TOO_MANY_SOURCES, "more sources than there is room for")                                                        \
     X(EW_ERROR_OUT_OF_MEMORY, "memory is exhausted")                                                                           \
     X(EW_ERROR_MISSING_FUNCTION, "the loader does not know a GL function that is needed")                                      \
     X(EW_ERROR_UNSUPPORTED_CONTEXT, "the context is older than OpenGL 3.3 or OpenGL ES 3.0, or none is current")               \
@@ -468,14 +468,15 @@ typedef struct ew_frame_desc {
     unsigned depth_texture;
 
     /* 1: the host's stencil test stays as it is, on or off, so that light is drawn only where a portal or a mirror is, say. Its
-     * operations apply, too; the host sets the same for front and back faces. 0: the test is off. */
+     * operations apply, too, wherever the effect draws, which leaves out much of what no source can light; the host sets the
+     * same for front and back faces. 0: the test is off. */
     int keep_stencil_test;
 
     /* 0: ew_draw leaves all state as it was. 1: it saves and restores nothing. That is for hosts that keep their own cache of
      * GL's state; whether the call succeeds or fails, they must then set the following anew:
      *
-     *   - the program in use, the vertex array, GL_UNIFORM_BUFFER and its indexed binding 0
-     *   - the active texture unit, the 2D textures of the units 0 to 4, unit 0's multisampled 2D texture, and these units'
+     *   - the program in use, the vertex array, GL_UNIFORM_BUFFER and its indexed bindings 0 and 1
+     *   - the active texture unit, the 2D textures of the units 0 to 6, unit 0's multisampled 2D texture, and these units'
      *     samplers: there are none bound afterwards, so that a host which knows no samplers need not mind
      *   - the draw framebuffer and the read framebuffer
      *   - viewport 0's rectangle; draw buffer 0's blend enable, blend factors, blend equations and colour mask
@@ -541,7 +542,8 @@ EW_API ew_result ew_get_bounds(ew_effect *effect, const ew_frame_desc *frame, ew
 /* ---- Compiling ahead ---------------------------------------------------------------------------------------------------- */
 
 /* Which sources a shader can draw. A count of 0 or 1 is exact. A larger one, such as EW_ANY_COUNT, stands for any number of
- * sources, including none. Where sources have reaches, ew_draw takes the shader for any number from one source on. */
+ * sources, including none. With has_reach, and but for EW_INTEGRATOR_SIMPSON, ew_draw takes the shader for any number from one
+ * source on. */
 typedef struct ew_mix {
     size_t point_count;
     size_t line_count;
@@ -553,7 +555,8 @@ typedef struct ew_mix {
     int has_sharpness; /* 1: sources with or without sharpness; 0: only without */
     int has_joints;    /* 1: paths of any number of pieces; 0: straight beams only */
     int has_bends;     /* 1: paths with or without bent pieces; 0: polylines only */
-    int has_many;      /* 1: more sources than a uniform block takes: see EW_MAX_SOURCE_UNITS */
+    int has_many; /* 1: more sources than a uniform block takes (see EW_MAX_SOURCE_UNITS); 0: no more than that. Shaders for
+                   * one of both draw nothing of the other. ew_get_shader_text has no shader for more. */
 } ew_mix;
 
 #define EW_ANY_COUNT 2
@@ -566,9 +569,9 @@ typedef struct ew_mix {
  *
  * If the shader for exactly the effect's sources is ready, ew_draw uses it; or else a more general one that is ready. Only if
  * there is neither does it wait for the compiler. So a host whose sources come and go prepares a general mix while it loads,
- * with EW_ANY_COUNT for each kind that may come; no draw of these then waits. It may also prepare the current sources whenever
- * they change, to draw with their faster shader once that is ready. A shader that was prepared on a loading thread must be
- * prepared once more in the context that will draw, which is quicker.
+ * with EW_ANY_COUNT for each kind that may come, and once more with has_many if there may be so many; no draw of these then
+ * waits. It may also prepare the current sources whenever they change, to draw with their faster shader once that is ready. A
+ * shader that was prepared on a loading thread must be prepared once more in the context that will draw, which is quicker.
  *
  * A call takes one step of three at the most: it compiles, or links, or makes the first draw, in which some drivers finish a
  * shader; that is outside of the viewport. If the driver has GL_KHR_parallel_shader_compile and compiles on threads of its own,

@@ -2,7 +2,7 @@
 // weights last.
 //
 // Behind this file C puts, for each kind that the shader knows, EW_..._COUNT and a function ew_...(i) that reads source i: see
-// src/plan/shader_text.c. The count is a literal for few sources, so that loops unroll and the block is read at constant
+// src/plan/shader_text.c. The count is a literal for one source, so that no loop is left and the block is read at constant
 // places. (Elsewhere a software rasteriser gathers lane by lane.)
 
 layout(std140) uniform ew_uniforms
@@ -14,8 +14,8 @@ layout(std140) uniform ew_uniforms
 };
 
 // EW_SOFTWARE: llvmpipe checks the bounds of every component that a fragment reads from a block, which costs more than a closed
-// form. So the vertex stage copies the frame to flat varyings; and the sources too, EW_SOURCE_VARYINGS vec4, where they are
-// few. GPUs read blocks as constants. With varyings, a point took 1.4 times as long there.
+// form. So the vertex stage copies the frame to flat varyings; and the sources too, EW_SOURCE_VARYINGS vec4, where no kind
+// has more than one. GPUs read blocks as constants. With varyings, a point took 1.4 times as long there.
 #ifdef EW_VERTEX_STAGE
 #define EW_VARYING flat out
 #else
@@ -102,9 +102,9 @@ int ew_simpson_divisions()
     return ew_frame.simpson.x;
 }
 
-// A member of source i of `count`. The first source has it at `start`, and each takes `size` vec4. There are varyings for the only source
-// of a kind, at places that are constant: rasterisers that keep arrays in memory gather from others.
-vec4 ew_source(int start, int size, int count, int i)
+// A member of source i. The first source has it at `start`, and each takes `size` vec4. There are varyings for the only source of a
+// kind, at places that are constant: rasterisers that keep arrays in memory gather from others.
+vec4 ew_source(int start, int size, int i)
 {
 #ifdef EW_SOURCE_VARYINGS
     return ew_sources[start];

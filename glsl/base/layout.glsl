@@ -32,7 +32,7 @@ struct ew_grid_block {
 };
 
 // Adaptive resolution divides the viewport into square cells of EW_CELL_SIZE pixels, and these stand in blocks of EW_BLOCK_CELLS by
-// EW_BLOCK_CELLS. Nodes are at the cells' corners; EW_NODE_MARGIN more lie beyond the blocks on either side. EW_PEAK_SIZE: over
+// EW_BLOCK_CELLS. Nodes are at the cells' corners, and more in the middle of cells; EW_NODE_MARGIN more lie beyond the blocks on either side. EW_PEAK_SIZE: over
 // how many nodes, in each direction, a pixel of the peak pass goes.
 #define EW_CELL_SIZE 8
 #define EW_BLOCK_CELLS 4

@@ -40,8 +40,8 @@ float ew_others(vec4 sum, vec4 color)
 #define EW_ADD_SOURCE(source) ew_add(EW_INTEGRAL(source), source.color, source.glow, sum)
 // The sources of a kind, by its number: places from EW_FIRST to EW_END of its list.
 #ifdef EW_LISTS
-#define EW_FIRST(kind) ew_list_entry(ew_tile + kind)
-#define EW_END(kind, count) ew_list_entry(ew_tile + kind + 1)
+#define EW_FIRST(kind) ew_list_entry(ew_tile_row + kind)
+#define EW_END(kind, count) ew_list_entry(ew_tile_row + kind + 1)
 #define EW_PLACE(i) ew_list_entry(i)
 #else
 #define EW_FIRST(kind) 0

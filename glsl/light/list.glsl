@@ -13,17 +13,17 @@ int ew_list_entry(int i)
 }
 
 // The first row, in the table of lists, of the tile at a pixel of the grid's viewport, or of the nodes around it.
-int ew_find_tile(ivec2 pixel)
+int ew_find_tile_row(ivec2 pixel)
 {
     ivec2 tile = (pixel - ew_grid.tiles.zw) >> ew_grid.tiles.y;
     return (tile.y * ew_grid.tiles.x + tile.x) * EW_KIND_COUNT;
 }
 
-// What ew_find_tile says of the fragment. It is the same for a whole patch.
+// What ew_find_tile_row says of the fragment. It is the same for a whole patch.
 #ifndef EW_PATCHES
-int ew_tile = 0;
+int ew_tile_row = 0;
 #elif defined(EW_VERTEX_STAGE)
-flat out int ew_tile;
+flat out int ew_tile_row;
 #else
-flat in int ew_tile;
+flat in int ew_tile_row;
 #endif

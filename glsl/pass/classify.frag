@@ -153,7 +153,7 @@ void main()
     if (ew_stride > 1) is_smooth = is_smooth && ew_are_cells_smooth(place);
     ew_class = vec4(is_smooth ? EW_SMOOTH : are_alike ? EW_ROUGH : EW_TORN);
 #if defined(EW_LISTS) && !defined(EW_LUMINANCE)
-    int tile = ew_find_tile(place * ew_stride * EW_CELL_SIZE);
-    if (ew_list_entry(tile) == ew_list_entry(tile + EW_KIND_COUNT)) ew_class = vec4(EW_DARK);
+    int row = ew_find_tile_row(place * ew_stride * EW_CELL_SIZE);
+    if (ew_list_entry(row) == ew_list_entry(row + EW_KIND_COUNT)) ew_class = vec4(EW_DARK);
 #endif
 }

@@ -40,7 +40,7 @@ void main()
     vec2 pixel = vec2(place) + 0.5 - ew_frame.pixel_center.xy;
     ew_segment segment = ew_pixel_segment(pixel);
 #ifdef EW_LISTS
-    ew_tile = ew_find_tile(place - ew_grid.viewport.xy);
+    ew_tile_row = ew_find_tile_row(place - ew_grid.viewport.xy);
 #endif
 #ifdef EW_DEPTH
     segment.end = ew_end_of_ray(ew_parameter_of_depth(pixel, ew_window_depth_around(place)));

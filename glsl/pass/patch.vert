@@ -31,7 +31,7 @@ void main()
 #else
     ew_copy_varyings();
 #ifdef EW_LISTS
-    ew_tile = ew_find_tile(place * width);
+    ew_tile_row = ew_find_tile_row(place * width);
 #endif
 #endif
 }

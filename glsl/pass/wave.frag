@@ -11,7 +11,7 @@ void main()
     vec2 pixel = gl_FragCoord.xy - ew_frame.pixel_center.xy;
     ew_segment segment = ew_pixel_segment(pixel);
 #if defined(EW_LISTS) && !defined(EW_PATCHES)
-    ew_tile = ew_find_tile(ivec2(gl_FragCoord.xy) - ew_grid.viewport.xy);
+    ew_tile_row = ew_find_tile_row(ivec2(gl_FragCoord.xy) - ew_grid.viewport.xy);
 #endif
 
 #ifdef EW_DEPTH_MULTISAMPLE

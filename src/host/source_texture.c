@@ -5,16 +5,18 @@
 
 /* ---- The host's way to store pixels, which also tells how textures are filled ---- */
 
-/* Those states that matter to two-dimensional textures, and what they must be. */
+/* Of WebGL: whether rows come last to first, and whether colours are multiplied by alpha. */
+enum { UNPACK_FLIP_Y_WEBGL = 0x9240, UNPACK_PREMULTIPLY_ALPHA_WEBGL = 0x9241 };
+
+/* Those states that matter to two-dimensional textures, what they must be, and which GL has them. */
 static const struct {
     GLenum name;
     GLint value;
-    bool is_desktop;
-} unpack_states[] = {{GL_UNPACK_ALIGNMENT, 4, false},
-                     {GL_UNPACK_ROW_LENGTH, 0, false},
-                     {GL_UNPACK_SKIP_ROWS, 0, false},
-                     {GL_UNPACK_SKIP_PIXELS, 0, false},
-                     {GL_UNPACK_SWAP_BYTES, 0, true}};
+    enum { EVERY_GL, DESKTOP_GL, WEB_GL } of;
+} unpack_states[] = {{GL_UNPACK_ALIGNMENT, 4, EVERY_GL},         {GL_UNPACK_ROW_LENGTH, 0, EVERY_GL},
+                     {GL_UNPACK_SKIP_ROWS, 0, EVERY_GL},         {GL_UNPACK_SKIP_PIXELS, 0, EVERY_GL},
+                     {GL_UNPACK_SWAP_BYTES, 0, DESKTOP_GL},      {UNPACK_FLIP_Y_WEBGL, 0, WEB_GL},
+                     {UNPACK_PREMULTIPLY_ALPHA_WEBGL, 0, WEB_GL}};
 
 enum { UNPACK_STATE_COUNT = sizeof unpack_states / sizeof unpack_states[0] };
 
@@ -23,17 +25,25 @@ typedef struct unpack {
     GLint buffer;
 } unpack;
 
-static void set_unpack(const ew_gl *gl, int state, GLint value)
+static bool has_unpack(const ew_gl *gl, int state)
 {
-    if (!(gl->es && unpack_states[state].is_desktop)) gl->PixelStorei(unpack_states[state].name, value);
+    switch (unpack_states[state].of) {
+    case DESKTOP_GL:
+        return !gl->es;
+    case WEB_GL:
+        return gl->web;
+    default:
+        return true;
+    }
 }
 
 static void begin_unpack(const ew_gl *gl, unpack *saved)
 {
     *saved = (unpack){.buffer = 0};
     for (int i = 0; i < UNPACK_STATE_COUNT; ++i) {
-        if (!(gl->es && unpack_states[i].is_desktop)) gl->GetIntegerv(unpack_states[i].name, &saved->values[i]);
-        set_unpack(gl, i, unpack_states[i].value);
+        if (!has_unpack(gl, i)) continue;
+        gl->GetIntegerv(unpack_states[i].name, &saved->values[i]);
+        gl->PixelStorei(unpack_states[i].name, unpack_states[i].value);
     }
     gl->GetIntegerv(GL_PIXEL_UNPACK_BUFFER_BINDING, &saved->buffer);
     gl->BindBuffer(GL_PIXEL_UNPACK_BUFFER, 0);
@@ -42,7 +52,7 @@ static void begin_unpack(const ew_gl *gl, unpack *saved)
 static void end_unpack(const ew_gl *gl, const unpack *saved)
 {
     for (int i = 0; i < UNPACK_STATE_COUNT; ++i)
-        set_unpack(gl, i, saved->values[i]);
+        if (has_unpack(gl, i)) gl->PixelStorei(unpack_states[i].name, saved->values[i]);
     if (saved->buffer != 0 && gl->IsBuffer((GLuint)saved->buffer))
         gl->BindBuffer(GL_PIXEL_UNPACK_BUFFER, (GLuint)saved->buffer);
 }

@@ -58,7 +58,8 @@ static void add_version(ew_shader_text *text, const ew_dialect *dialect, unsigne
     if (!dialect->es)
         add(text, "#version 330 core\n");
     else if (multisample)
-        add(text, "#version 310 es\nprecision highp float;\nprecision highp int;\nprecision highp sampler2DMS;\n");
+        add(text, "#version 310 es\nprecision highp float;\nprecision highp int;\nprecision highp sampler2D;\n"
+                  "precision highp sampler2DMS;\n");
     else
         add(text, "#version 300 es\nprecision highp float;\nprecision highp int;\nprecision highp sampler2D;\n");
 }
@@ -133,8 +134,8 @@ static void add_reader(ew_shader_text *text, int index, unsigned key)
     add_start(text, index, key);
     add_made(text, ")\new_%s_block ew_%s(int i)\n{\n    return ew_%s_block(", kind->name, kind->name, kind->name);
     for (size_t unit = 0; unit < units_of(index, key); ++unit)
-        add_made(text, "%sew_source(EW_%s_START + %zu, %zu, EW_%s_COUNT, i)", unit > 0 ? ", " : "", kind->upper_name, unit,
-                 units_of(index, key), kind->upper_name);
+        add_made(text, "%sew_source(EW_%s_START + %zu, %zu, i)", unit > 0 ? ", " : "", kind->upper_name, unit,
+                 units_of(index, key));
     add_made(text, "%s);\n}\n", key & EW_PERMUTATION_REACH ? "" : ", ew_plain_glow()");
 }
 

@@ -8,8 +8,7 @@
 
 #include <string.h>
 
-/* How far tiles go on beyond the viewport on the left and below, in pixels; and from there to the last node beyond it on the
- * right or above, of the viewport's blocks. */
+/* In pixels: how far nodes lie, and tiles go on, beyond the viewport's blocks on each side; and how wide blocks are. */
 enum { MARGIN = EW_NODE_MARGIN * EW_CELL_SIZE, BLOCK = EW_BLOCK_CELLS * EW_CELL_SIZE };
 
 /* A tile that is wider than any viewport. */
@@ -88,12 +87,18 @@ typedef struct search {
     int kind;
     size_t most;  /* entries */
     tile_box lit; /* by all sources */
-    bool is_over; /* no memory, or too many entries */
+    bool is_full; /* there are too many entries */
+    bool lacks_memory;
 } search;
 
 static size_t row_count(const ew_tile_lists *lists)
 {
     return (size_t)lists->columns * (size_t)lists->rows * EW_KIND_COUNT;
+}
+
+static bool is_done(const search *s)
+{
+    return s->is_full || s->lacks_memory;
 }
 
 /* Adds a tile, once a source: several pieces of a chain may find it. */
@@ -103,9 +108,9 @@ static void add(search *s, const int tile[2])
     const uint32_t row = (uint32_t)((tile[1] * lists->columns + tile[0]) * EW_KIND_COUNT + s->kind);
     if (lists->last_sources[row] == s->number) return;
     lists->last_sources[row] = s->number;
-    s->is_over = s->is_over || row_count(lists) + 1 + lists->pair_count == s->most ||
-                 !reserve_pairs(lists, lists->pair_count + 1, s->allocator);
-    if (s->is_over) return;
+    s->is_full = row_count(lists) + 1 + lists->pair_count >= s->most;
+    s->lacks_memory = s->lacks_memory || !reserve_pairs(lists, lists->pair_count + 1, s->allocator);
+    if (is_done(s)) return;
     lists->pairs[lists->pair_count++] = (struct ew_tile_pair){row, (uint32_t)s->source->index};
     for (int axis = 0; axis < 2; ++axis) {
         s->lit.first[axis] = tile[axis] < s->lit.first[axis] ? tile[axis] : s->lit.first[axis];
@@ -135,7 +140,7 @@ static void add_all(search *s, const tile_box *box)
 static void add_box(search *s, const ew_hull *seen, const tile_box *box)
 {
     const ew_cone cone = cone_of(s, box);
-    if (s->is_over || !ew_cone_meets(&cone, seen, s->source->reach)) return;
+    if (is_done(s) || !ew_cone_meets(&cone, seen, s->source->reach)) return;
     const int width = box->end[0] - box->first[0], height = box->end[1] - box->first[1], axis = height > width;
     if (width * height == 1 || ew_cone_is_covered(&cone, seen, s->source->reach)) {
         add_all(s, box);
@@ -170,29 +175,27 @@ static void add_hull(search *s, const ew_hull *hull)
 static void add_source(search *s)
 {
     const size_t hulls = s->source->reach > 0 ? ew_count_hulls(s->source) : 0;
-    for (size_t i = 0; i < hulls && !s->is_over; ++i) {
+    for (size_t i = 0; i < hulls && !is_done(s); ++i) {
         const ew_hull hull = ew_hull_of_source(s->source, i);
         add_hull(s, &hull);
     }
     if (s->source->reach == 0) add_all(s, &(tile_box){{0, 0}, {s->lists->columns, s->lists->rows}});
 }
 
-/* Finds all pairs. Returns false if there is no memory, or if there are too many: then EW_MAX_LIST_ENTRIES are taken. */
-static bool find_pairs(search *s, const ew_sources *sources)
+/* Finds all pairs, unless the search is done before. */
+static void find_pairs(search *s, const ew_sources *sources)
 {
     ew_tile_lists *lists = s->lists;
     lists->pair_count = 0;
-    if (!reserve_last_sources(lists, row_count(lists), s->allocator)) return false;
+    s->lacks_memory = !reserve_last_sources(lists, row_count(lists), s->allocator);
+    if (s->lacks_memory) return;
     memset(lists->last_sources, 0, row_count(lists) * sizeof *lists->last_sources);
-    s->number = 0;
-    s->is_over = false;
     s->lit = (tile_box){{lists->columns, lists->rows}, {0, 0}};
     for (s->kind = 0; s->kind < EW_KIND_COUNT; ++s->kind)
-        for (size_t i = 0; i < sources->counts[s->kind] && !s->is_over; ++i) {
+        for (size_t i = 0; i < sources->counts[s->kind] && !is_done(s); ++i) {
             s->source = &sources->lit[s->number++];
             add_source(s);
         }
-    return !s->is_over;
 }
 
 /* ---- Entries ---- */
@@ -208,18 +211,18 @@ static bool fill_entries(ew_tile_lists *lists, const ew_allocator *allocator)
 {
     const size_t rows = row_count(lists);
     uint32_t *next = lists->last_sources, at = (uint32_t)rows + 1;
-    lists->entry_count = rows + 1 + lists->pair_count;
-    const size_t words = (lists->entry_count + 1) / 2;
+    const size_t count = rows + 1 + lists->pair_count, words = (count + 1) / 2;
     if (!reserve_words(lists, words, allocator)) return false;
+    lists->entry_count = count;
     memset(lists->words, 0, words * sizeof *lists->words);
     memset(next, 0, rows * sizeof *next);
     for (size_t i = 0; i < lists->pair_count; ++i)
         next[lists->pairs[i].row]++;
     for (size_t row = 0; row < rows; ++row) {
-        uint32_t count = next[row];
+        uint32_t length = next[row];
         set_entry(lists, row, at);
         next[row] = at;
-        at += count;
+        at += length;
     }
     set_entry(lists, rows, at);
     for (size_t i = 0; i < lists->pair_count; ++i)
@@ -296,12 +299,13 @@ ew_result ew_make_tile_lists(ew_tile_lists *lists, const ew_sources *sources, co
                     .view = &wide,
                     .depths = depths,
                     .most = most};
-        if (find_pairs(&s, sources) && fill_entries(lists, allocator)) {
-            find_lit_pixels(lists, &s.lit, viewport);
-            return EW_OK;
-        }
-        if (row_count(lists) + 1 + lists->pair_count < most)
+        find_pairs(&s, sources);
+        if (!is_done(&s)) s.lacks_memory = !fill_entries(lists, allocator);
+        if (s.lacks_memory)
             return ew_fail(error, EW_ERROR_OUT_OF_MEMORY, "no memory for the lists of %zu sources", sources->lit_count);
+        if (s.is_full) continue;
+        find_lit_pixels(lists, &s.lit, viewport);
+        return EW_OK;
     }
     return EW_OK;
 }

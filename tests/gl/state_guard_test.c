@@ -500,7 +500,7 @@ static ew_effect *effects[2];
 static void effect_create(int context)
 {
     const ew_effect_desc desc = {.get_proc_address = context_get_proc_address, .user = contexts[context]};
-    const ew_point point = {.position = {0.1, 0.1, 0}, .coefficient = 0.3, .color = {1, 0.5, 0.2}};
+    const ew_point point = {.position = {0.1, 0.1, 0}, .coefficient = 0.3, .color = {1, 0.5, 0.2}, .reach = 2};
     const ew_line line = {.position = {0, -0.5, 0}, .direction = {1, 0.2, 0.1}, .coefficient = 0.2, .color = {0.2, 0.5, 1}};
     const ew_torus torus = {.axis = {1, 0.3, 0}, .radius = 0.4, .coefficient = 0.1, .color = {0.3, 1, 0.4}};
     const ew_sources_desc sources = {
@@ -643,7 +643,7 @@ static void failed_draws_leave_all_state(void **unused)
  * the first. */
 static struct dirty_state {
     const char *name;
-    int count;     /* of units; 0 stands for 1 */
+    int count;     /* of units or bindings; 0 stands for 1 */
     bool may_stay; /* on hardware, where some drivers leave it alone */
     bool known;    /* in this context */
     bool seen;
@@ -652,10 +652,10 @@ static struct dirty_state {
     {.name = "GL_VERTEX_ARRAY_BINDING"},
     {.name = "GL_ELEMENT_ARRAY_BUFFER_BINDING"},
     {.name = "GL_UNIFORM_BUFFER_BINDING"},
-    {.name = "GL_UNIFORM_BUFFER"},
+    {.name = "GL_UNIFORM_BUFFER", .count = 2},
     {.name = "GL_ACTIVE_TEXTURE"},
-    {.name = "GL_SAMPLER_BINDING", .count = EW_GL_TEXTURE_UNIT_COUNT},
-    {.name = "GL_TEXTURE_BINDING_2D", .count = EW_GL_TEXTURE_UNIT_COUNT},
+    {.name = "GL_SAMPLER_BINDING", .count = 7},
+    {.name = "GL_TEXTURE_BINDING_2D", .count = 7},
     {.name = "GL_TEXTURE_BINDING_2D_MULTISAMPLE"},
     {.name = "GL_DRAW_FRAMEBUFFER_BINDING"},
     {.name = "GL_READ_FRAMEBUFFER_BINDING"},
