@@ -75,9 +75,11 @@ static ew_result plan_frame(ew_effect *effect, const ew_mix *mix, const ew_frame
     ew_frame_desc settled;
     frame = settle(effect, frame, &settled);
     ew_result result = ew_plan_frame(plan, &effect->sources, mix, frame, error);
-    size_t most = ew_gl_dialect(&effect->device.gl).list_size * EW_LIST_ENTRIES_IN_UNIT;
     if (result != EW_OK) return result;
-    return ew_plan_lists(plan, &effect->lists, &effect->sources, frame, most, &effect->allocator, error);
+    const ew_dialect dialect = ew_gl_dialect(&effect->device.gl);
+    const ew_list_room room =
+        plan->source_units > dialect.capacity ? ew_list_room_of_texture() : ew_list_room_of_block(dialect.list_size);
+    return ew_plan_lists(plan, &effect->lists, &effect->sources, frame, room, &effect->allocator, error);
 }
 
 ew_result ew_draw(ew_effect *effect, const ew_frame_desc *frame, ew_error *error)

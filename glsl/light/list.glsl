@@ -1,5 +1,11 @@
 // Lists of the sources that may light a tile of the viewport: src/plan/tile_lists.h says how they are laid out.
 
+#ifdef EW_SOURCE_TEXTURE
+int ew_list_entry(int i)
+{
+    return int(ew_source_unit(int(ew_grid.tolerance.z) + (i >> 2))[i & 3]);
+}
+#else
 // Entries, two in a word, the first in its lower half.
 layout(std140) uniform ew_lists
 {
@@ -11,6 +17,7 @@ int ew_list_entry(int i)
     uint word = ew_list_words[i >> 3][(i >> 1) & 3];
     return int((i & 1) == 0 ? word & 0xffffu : word >> 16);
 }
+#endif
 
 // The first row, in the table of lists, of the tile at a pixel of the grid's viewport, or of the nodes around it.
 int ew_find_tile_row(ivec2 pixel)

@@ -67,7 +67,7 @@ static void fill_list_buffer(const ew_device *device, const ew_plan *plan)
     const ew_tile_lists *lists = plan->lists;
     gl->BindBuffer(GL_UNIFORM_BUFFER, device->list_buffer);
     gl->BufferData(GL_UNIFORM_BUFFER, (GLsizeiptr)(ew_gl_dialect(gl).list_size * sizeof(ew_vec4)), NULL, GL_STREAM_DRAW);
-    gl->BufferSubData(GL_UNIFORM_BUFFER, 0, (GLsizeiptr)((lists->entry_count + 1) / 2 * sizeof *lists->words), lists->words);
+    gl->BufferSubData(GL_UNIFORM_BUFFER, 0, (GLsizeiptr)(lists->word_count * sizeof *lists->words), lists->words);
 }
 
 ew_result ew_upload(const ew_device *device, const ew_plan *plan, ew_error *error)
@@ -220,7 +220,7 @@ static ew_result draw(ew_device *device, const plan_task *task, bool on_grid, un
     gl->BindSampler(EW_GL_DEPTH_TEXTURE_UNIT, device->depth_sampler);
     fill_uniform_buffer(device, task->plan);
     gl->BindBufferBase(GL_UNIFORM_BUFFER, EW_GL_UNIFORM_BINDING, device->uniform_buffer);
-    if (key & EW_PERMUTATION_LISTS) {
+    if (key & EW_PERMUTATION_LISTS && !(key & EW_PERMUTATION_SOURCE_TEXTURE)) {
         fill_list_buffer(device, task->plan);
         gl->BindBufferBase(GL_UNIFORM_BUFFER, EW_GL_LIST_BINDING, device->list_buffer);
     }

@@ -59,14 +59,24 @@ static void end_unpack(const ew_gl *gl, const unpack *saved)
 
 /* ---- The texture ---- */
 
-/* Fills the bound texture, row by row. It is made anew: the GPU may still be reading what the last frame left there. */
-static void fill(const ew_gl *gl, const ew_vec4 *units, size_t count)
+/* Fills the bound texture from a row on. */
+static void fill(const ew_gl *gl, int first_row, const void *units, size_t count)
 {
     const GLsizei rows = (GLsizei)(count / EW_TEXTURE_WIDTH), rest = (GLsizei)(count % EW_TEXTURE_WIDTH);
-    gl->TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, EW_TEXTURE_WIDTH, rows + 1, 0, GL_RGBA, GL_FLOAT, NULL);
-    if (rows > 0) gl->TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, EW_TEXTURE_WIDTH, rows, GL_RGBA, GL_FLOAT, units);
-    const ew_vec4 *last = units + (size_t)rows * EW_TEXTURE_WIDTH;
-    if (rest > 0) gl->TexSubImage2D(GL_TEXTURE_2D, 0, 0, rows, rest, 1, GL_RGBA, GL_FLOAT, last);
+    const ew_vec4 *last = (const ew_vec4 *)units + (size_t)rows * EW_TEXTURE_WIDTH;
+    if (rows > 0) gl->TexSubImage2D(GL_TEXTURE_2D, 0, 0, first_row, EW_TEXTURE_WIDTH, rows, GL_RGBA, GL_FLOAT, units);
+    if (rest > 0) gl->TexSubImage2D(GL_TEXTURE_2D, 0, 0, first_row + rows, rest, 1, GL_RGBA, GL_FLOAT, last);
+}
+
+/* Makes the bound texture anew: the GPU may still be reading what the last frame left there. */
+static void fill_texture(const ew_gl *gl, const ew_plan *plan)
+{
+    const int list_row = ew_first_list_row(plan);
+    const size_t list_units = plan->lists ? plan->lists->word_count * sizeof(uint32_t) / sizeof(ew_vec4) : 0;
+    const GLsizei rows = list_row + (GLsizei)(list_units / EW_TEXTURE_WIDTH) + 1;
+    gl->TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, EW_TEXTURE_WIDTH, rows, 0, GL_RGBA, GL_FLOAT, NULL);
+    fill(gl, 0, plan->source_data, plan->source_data_size / sizeof(ew_vec4));
+    if (plan->lists) fill(gl, list_row, plan->lists->words, list_units);
 }
 
 void ew_source_texture_bind(ew_source_texture *texture, const ew_gl *gl, const ew_plan *plan)
@@ -79,7 +89,7 @@ void ew_source_texture_bind(ew_source_texture *texture, const ew_gl *gl, const e
     gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
     begin_unpack(gl, &saved);
-    fill(gl, plan->source_data, plan->source_data_size / sizeof(ew_vec4));
+    fill_texture(gl, plan);
     end_unpack(gl, &saved);
 }
 

@@ -1,4 +1,4 @@
-/* The texture that hands a plan's sources to the shader where the uniform block is too small for them. */
+/* The texture that hands a plan's sources, and their lists, to the shader where the uniform block is too small for them. */
 #ifndef EW_SOURCE_TEXTURE_H
 #define EW_SOURCE_TEXTURE_H
 

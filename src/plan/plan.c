@@ -177,17 +177,17 @@ ew_result ew_plan_frame(ew_plan *plan, ew_sources *sources, const ew_mix *mix, c
 }
 
 ew_result ew_plan_lists(ew_plan *plan, ew_tile_lists *lists, const ew_sources *sources, const ew_frame_desc *frame,
-                        size_t most_entries, const ew_allocator *allocator, ew_error *error)
+                        ew_list_room room, const ew_allocator *allocator, ew_error *error)
 {
     const ew_view view = ew_view_of(frame);
     /* The published method is a baseline, and looks at every source. */
     if (frame->integrator == EW_INTEGRATOR_SIMPSON || !(plan->permutation & EW_PERMUTATION_REACH)) return EW_OK;
-    ew_result result =
-        ew_make_tile_lists(lists, sources, &view, &plan->depths, &plan->target.viewport, most_entries, allocator, error);
+    ew_result result = ew_make_tile_lists(lists, sources, &view, &plan->depths, &plan->target.viewport, room, allocator, error);
     if (result != EW_OK || lists->entry_count == 0) return result;
     plan->permutation = ew_permutation_with_lists(plan->permutation);
     plan->lists = lists;
     if (plan->target.blend != EW_BLEND_REPLACE) set_lit(plan, &lists->lit);
+    plan->uniforms.grid.tolerance.z = (float)ew_first_list_row(plan) * EW_TEXTURE_WIDTH;
     plan->uniforms.grid.tiles =
         (ew_ivec4){lists->columns, lists->size_log2, lists->first_x - plan->lit.x, lists->first_y - plan->lit.y};
     return EW_OK;

@@ -47,6 +47,12 @@ typedef struct ew_plan {
     bool skips_restore;
 } ew_plan;
 
+/* In a texture, the sources' units come first, row by row, and the lists begin in the next row. */
+static inline int ew_first_list_row(const ew_plan *plan)
+{
+    return (int)((plan->source_data_size / sizeof(ew_vec4) + EW_TEXTURE_WIDTH - 1) / EW_TEXTURE_WIDTH);
+}
+
 /* Plans the uniforms alone, of a frame that has a view and needs no target. */
 ew_result ew_plan_uniforms(ew_plan *plan, ew_sources *sources, const ew_frame_desc *frame, ew_error *error);
 
@@ -54,10 +60,10 @@ ew_result ew_plan_uniforms(ew_plan *plan, ew_sources *sources, const ew_frame_de
  * sources change or are planned again. */
 ew_result ew_plan_frame(ew_plan *plan, ew_sources *sources, const ew_mix *mix, const ew_frame_desc *frame, ew_error *error);
 
-/* Completes a plan of ew_plan_frame by lists of the sources by tile, of at most `most_entries`, if the sources have reaches.
+/* Completes a plan of ew_plan_frame by lists of the sources by tile, if the sources have reaches.
  * The plan is valid until the lists are made again. */
 ew_result ew_plan_lists(ew_plan *plan, ew_tile_lists *lists, const ew_sources *sources, const ew_frame_desc *frame,
-                        size_t most_entries, const ew_allocator *allocator, ew_error *error);
+                        ew_list_room room, const ew_allocator *allocator, ew_error *error);
 
 /* Says what the sources can light of a frame: see ew_get_bounds. */
 ew_result ew_plan_bounds(const ew_sources *sources, const ew_frame_desc *frame, ew_bounds *bounds, ew_error *error);

@@ -249,7 +249,7 @@ unsigned ew_permutation_of_pass(ew_pass pass, unsigned key)
         return 0;
     case EW_PASS_CLASSES:
         return key & (EW_PERMUTATION_DEPTH | EW_PERMUTATION_DEPTH_MULTISAMPLE | EW_PERMUTATION_WORLD | EW_PERMUTATION_LISTS |
-                      EW_PERMUTATION_LUMINANCE);
+                      EW_PERMUTATION_SOURCE_TEXTURE | EW_PERMUTATION_LUMINANCE);
     case EW_PASS_INTERPOLATION:
         return key & target;
     default:

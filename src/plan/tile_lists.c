@@ -24,6 +24,20 @@ static int tiles_over(int pixels, int size_log2)
     return ((blocks_in(pixels) * BLOCK + 2 * MARGIN) >> size_log2) + 1;
 }
 
+/* ---- Room ---- */
+
+enum { ENTRIES_IN_UNIT = 2 * sizeof(ew_vec4) / sizeof(uint32_t), MAX_TEXTURE_ENTRIES = 1 << 20 };
+
+ew_list_room ew_list_room_of_block(size_t units)
+{
+    return (ew_list_room){units * ENTRIES_IN_UNIT, false};
+}
+
+ew_list_room ew_list_room_of_texture(void)
+{
+    return (ew_list_room){MAX_TEXTURE_ENTRIES, true};
+}
+
 /* ---- Memory ---- */
 
 /* Returns room for `count` elements in place of `memory`, whose first `used` are kept; NULL if there is none. */
@@ -85,7 +99,6 @@ typedef struct search {
     const ew_lit_source *source;
     uint32_t number; /* of the source, from 1 on */
     int kind;
-    size_t most;  /* entries */
     tile_box lit; /* by all sources */
     bool is_full; /* there are too many entries */
     bool lacks_memory;
@@ -108,7 +121,7 @@ static void add(search *s, const int tile[2])
     const uint32_t row = (uint32_t)((tile[1] * lists->columns + tile[0]) * EW_KIND_COUNT + s->kind);
     if (lists->last_sources[row] == s->number) return;
     lists->last_sources[row] = s->number;
-    s->is_full = row_count(lists) + 1 + lists->pair_count >= s->most;
+    s->is_full = row_count(lists) + 1 + lists->pair_count >= lists->room.most;
     s->lacks_memory = s->lacks_memory || !reserve_pairs(lists, lists->pair_count + 1, s->allocator);
     if (is_done(s)) return;
     lists->pairs[lists->pair_count++] = (struct ew_tile_pair){row, (uint32_t)s->source->index};
@@ -202,7 +215,18 @@ static void find_pairs(search *s, const ew_sources *sources)
 
 static void set_entry(ew_tile_lists *lists, size_t index, uint32_t value)
 {
-    lists->words[index / 2] |= value << 16 * (index % 2);
+    const float number = (float)value;
+    if (lists->room.is_texture)
+        memcpy(&lists->words[index], &number, sizeof number);
+    else
+        lists->words[index / 2] |= value << 16 * (index % 2);
+}
+
+/* In whole units. */
+static size_t words_of(size_t entries, bool is_texture)
+{
+    const size_t words = is_texture ? entries : (entries + 1) / 2, unit = sizeof(ew_vec4) / sizeof(uint32_t);
+    return (words + unit - 1) / unit * unit;
 }
 
 /* Sorts the pairs by row. Within a row they stay in order. Where each row's next pair goes stands in last_sources, which is
@@ -211,9 +235,10 @@ static bool fill_entries(ew_tile_lists *lists, const ew_allocator *allocator)
 {
     const size_t rows = row_count(lists);
     uint32_t *next = lists->last_sources, at = (uint32_t)rows + 1;
-    const size_t count = rows + 1 + lists->pair_count, words = (count + 1) / 2;
+    const size_t count = rows + 1 + lists->pair_count, words = words_of(count, lists->room.is_texture);
     if (!reserve_words(lists, words, allocator)) return false;
     lists->entry_count = count;
+    lists->word_count = words;
     memset(lists->words, 0, words * sizeof *lists->words);
     memset(next, 0, rows * sizeof *next);
     for (size_t i = 0; i < lists->pair_count; ++i)
@@ -273,32 +298,29 @@ static bool has_reach(const ew_sources *sources)
 }
 
 /* Where the lists of the frame before needed wider tiles, these will, unless there was much room left. */
-static int first_size(const ew_tile_lists *lists, size_t most)
+static int first_size(const ew_tile_lists *lists)
 {
     int last = lists->size_log2 < ONE_TILE_LOG2 ? lists->size_log2 : 0;
-    if (lists->entry_count > 0 && lists->entry_count < most / 5) --last;
+    if (lists->entry_count > 0 && lists->entry_count < lists->room.most / 5) --last;
     return last > EW_TILE_SIZE_LOG2 ? last : EW_TILE_SIZE_LOG2;
 }
 
 ew_result ew_make_tile_lists(ew_tile_lists *lists, const ew_sources *sources, const ew_view *view, const ew_interval *depths,
-                             const ew_viewport *viewport, size_t most, const ew_allocator *allocator, ew_error *error)
+                             const ew_viewport *viewport, ew_list_room room, const ew_allocator *allocator, ew_error *error)
 {
-    int first_size_log2 = has_reach(sources) ? first_size(lists, most) : ONE_TILE_LOG2;
+    int first_size_log2 = has_reach(sources) ? first_size(lists) : ONE_TILE_LOG2;
     lists->entry_count = 0;
+    lists->room = room;
     for (int size_log2 = first_size_log2; size_log2 <= ONE_TILE_LOG2; ++size_log2) {
         lists->size_log2 = size_log2;
         lists->columns = tiles_over(viewport->width, size_log2);
         lists->rows = tiles_over(viewport->height, size_log2);
-        if (row_count(lists) + 1 > most / 2) continue;
+        if (row_count(lists) + 1 > room.most / 2) continue;
         double projection[16];
         see_tiles(view, viewport, lists, projection);
         const ew_view wide = {view->view, projection, view->clip_depth};
-        search s = {.lists = lists,
-                    .allocator = allocator,
-                    .rays = ew_make_ray_field(&wide, depths),
-                    .view = &wide,
-                    .depths = depths,
-                    .most = most};
+        search s = {
+            .lists = lists, .allocator = allocator, .rays = ew_make_ray_field(&wide, depths), .view = &wide, .depths = depths};
         find_pairs(&s, sources);
         if (!is_done(&s)) s.lacks_memory = !fill_entries(lists, allocator);
         if (s.lacks_memory)

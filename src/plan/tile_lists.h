@@ -4,7 +4,8 @@
  *
  * The entries are what the shader reads (glsl/light/list.glsl). First comes a table with EW_KIND_COUNT rows a tile, tile after
  * tile: where the list of the tile's sources of each kind begins. It ends where the next row's begins; the table has one row
- * more. Then come the lists: the sources' places in their kinds. Entries are 16 bits wide, two in a word.
+ * more. Then come the lists: the sources' places in their kinds. For a uniform block, entries are 16 bits wide, two in a word;
+ * for a texture, each is a float.
  */
 #ifndef EW_TILE_LISTS_H
 #define EW_TILE_LISTS_H
@@ -15,8 +16,15 @@
 
 #include <stdint.h>
 
-/* How many entries stand in the room of a vec4. */
-enum { EW_LIST_ENTRIES_IN_UNIT = 8 };
+/* Where lists go: how many entries they may have there, and whether these are floats. */
+typedef struct ew_list_room {
+    size_t most;
+    bool is_texture;
+} ew_list_room;
+
+/* The room in a uniform block of so many units (vec4), and in a texture. */
+ew_list_room ew_list_room_of_block(size_t units);
+ew_list_room ew_list_room_of_texture(void);
 
 /* A row of the table, and a source of its list. */
 struct ew_tile_pair {
@@ -26,7 +34,8 @@ struct ew_tile_pair {
 /* Starts as {0}, and keeps its memory from frame to frame. */
 typedef struct ew_tile_lists {
     uint32_t *words;
-    size_t entry_count, word_capacity;
+    size_t entry_count, word_count, word_capacity;
+    ew_list_room room;
     int columns, rows;
     int size_log2;        /* of a tile's width in pixels */
     ew_viewport lit;      /* the part of the viewport around all tiles that are lit; at least a pixel */
@@ -42,7 +51,7 @@ typedef struct ew_tile_lists {
 /* Makes the lists for the sources as they are seen between two depths. Tiles are made wider until there are at most `most`
  * entries. On failure nothing may be drawn with the lists. Where even a tile for all takes more, entry_count is 0. */
 ew_result ew_make_tile_lists(ew_tile_lists *lists, const ew_sources *sources, const ew_view *view, const ew_interval *depths,
-                             const ew_viewport *viewport, size_t most, const ew_allocator *allocator, ew_error *error);
+                             const ew_viewport *viewport, ew_list_room room, const ew_allocator *allocator, ew_error *error);
 
 void ew_destroy_tile_lists(ew_tile_lists *lists, const ew_allocator *allocator);
 

@@ -62,7 +62,7 @@ static void upload_lists(const peer_sampled *peer)
     const ew_tile_lists *lists = &peer->lists;
     gl->BindBuffer(GL_UNIFORM_BUFFER, peer->device.list_buffer);
     gl->BufferData(GL_UNIFORM_BUFFER, (GLsizeiptr)(ew_gl_dialect(gl).list_size * sizeof(ew_vec4)), NULL, GL_STATIC_DRAW);
-    gl->BufferSubData(GL_UNIFORM_BUFFER, 0, (GLsizeiptr)((lists->entry_count + 1) / 2 * sizeof *lists->words), lists->words);
+    gl->BufferSubData(GL_UNIFORM_BUFFER, 0, (GLsizeiptr)(lists->word_count * sizeof *lists->words), lists->words);
     gl->BindBuffer(GL_UNIFORM_BUFFER, 0);
 }
 
@@ -87,9 +87,9 @@ peer_sampled *peer_sampled_create(gl_context *context, const ew_sources_desc *so
     made->device.gl.GenVertexArrays(1, &made->vertex_array);
     result = ew_sources_set(&made->sources, sources, &ew_default_allocator, &error);
     if (result == EW_OK) result = ew_plan_frame(&made->plan, &made->sources, NULL, frame, &error);
-    size_t most = ew_gl_dialect(&made->device.gl).list_size * EW_LIST_ENTRIES_IN_UNIT;
+    const ew_list_room room = ew_list_room_of_block(ew_gl_dialect(&made->device.gl).list_size);
     if (result == EW_OK)
-        result = ew_plan_lists(&made->plan, &made->lists, &made->sources, frame, most, &ew_default_allocator, &error);
+        result = ew_plan_lists(&made->plan, &made->lists, &made->sources, frame, room, &ew_default_allocator, &error);
     if (result == EW_OK && made->plan.lists) upload_lists(made);
     if (result == EW_OK) return made;
     message_write(message, size, "%s", error.text);

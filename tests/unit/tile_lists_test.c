@@ -6,17 +6,19 @@
 
 #include <stdlib.h>
 
-enum { SIZE = LIT_SCENE_SIZE, SCENES = 40, PLACES = 10000, MOST = 32768, MARGIN = EW_NODE_MARGIN * EW_CELL_SIZE };
+enum { SIZE = LIT_SCENE_SIZE, SCENES = 40, PLACES = 10000, MARGIN = EW_NODE_MARGIN * EW_CELL_SIZE };
 
-/* The plan of a frame with lists of at most `most` entries, which belong to the caller, like the sources. */
-static ew_plan plan_of(const ew_sources_desc *desc, const ew_frame_desc *frame, size_t most, ew_sources *sources,
+static const ew_list_room block = {.most = 32768}, texture = {.most = 1 << 20, .is_texture = true};
+
+/* The plan of a frame with lists for that room, which belong to the caller, like the sources. */
+static ew_plan plan_of(const ew_sources_desc *desc, const ew_frame_desc *frame, ew_list_room room, ew_sources *sources,
                        ew_tile_lists *lists)
 {
     ew_plan plan = {0};
     ew_error error = {EW_OK, ""};
     if (ew_sources_set(sources, desc, &ew_default_allocator, &error) != EW_OK ||
         ew_plan_frame(&plan, sources, NULL, frame, &error) != EW_OK ||
-        ew_plan_lists(&plan, lists, sources, frame, most, &ew_default_allocator, &error) != EW_OK)
+        ew_plan_lists(&plan, lists, sources, frame, room, &ew_default_allocator, &error) != EW_OK)
         fail_msg("%s", error.text);
     return plan;
 }
@@ -30,7 +32,10 @@ static void release(ew_sources *sources, ew_tile_lists *lists)
 /* As glsl/light/list.glsl does. */
 static size_t entry(const ew_tile_lists *lists, size_t i)
 {
-    return lists->words[i / 2] >> 16 * (i % 2) & 0xffff;
+    float number;
+    if (!lists->room.is_texture) return lists->words[i / 2] >> 16 * (i % 2) & 0xffff;
+    memcpy(&number, &lists->words[i], sizeof number);
+    return (size_t)number;
 }
 
 static size_t first_row(const ew_plan *plan, double x, double y)
@@ -77,7 +82,7 @@ static void what_lights_a_place_is_in_the_list_of_its_tile(void **state)
             made.frame.core_pixels = 0; /* or light pales far away */
             ew_sources sources = {0};
             ew_tile_lists lists = {0};
-            const ew_plan plan = plan_of(&made.desc, &made.frame, MOST, &sources, &lists);
+            const ew_plan plan = plan_of(&made.desc, &made.frame, block, &sources, &lists);
             for (int i = 0; i < PLACES; ++i) {
                 double place[3], seen[3];
                 lit_scene_place(&made, kind, &random, place);
@@ -108,7 +113,7 @@ static void a_slanted_beam_is_not_listed_in_all_of_its_rectangle(void **state)
     const ew_frame_desc frame = lit_scene_plain_frame();
     ew_sources sources = {0};
     ew_tile_lists lists = {0};
-    plan_of(&desc, &frame, MOST, &sources, &lists);
+    plan_of(&desc, &frame, block, &sources, &lists);
     /* 1000 / 32 tiles on the diagonal; on average the band, 28 pixels wide, meets three of each column or fewer. */
     assert_in_range(count_lit_tiles(&lists), 32, 4 * 32);
     release(&sources, &lists);
@@ -123,7 +128,7 @@ static void light_behind_the_eye_is_in_no_list(void **state)
     const ew_frame_desc frame = lit_scene_plain_frame();
     ew_sources sources = {0};
     ew_tile_lists lists = {0};
-    const ew_plan plan = plan_of(&desc, &frame, MOST, &sources, &lists);
+    const ew_plan plan = plan_of(&desc, &frame, block, &sources, &lists);
     assert_int_equal(count_lit_tiles(&lists), 0);
     assert_int_equal(plan.lit.width * plan.lit.height, 1);
     release(&sources, &lists);
@@ -142,7 +147,7 @@ static void lists_keep_the_order_of_the_sources(void **state)
     const ew_frame_desc frame = lit_scene_plain_frame();
     ew_sources sources = {0};
     ew_tile_lists lists = {0};
-    const ew_plan plan = plan_of(&desc, &frame, MOST, &sources, &lists);
+    const ew_plan plan = plan_of(&desc, &frame, block, &sources, &lists);
     const size_t row = first_row(&plan, SIZE / 2, SIZE / 2), first = entry(&lists, row), end = entry(&lists, row + 1);
     assert_in_range(end - first, 10, 39);
     for (size_t i = first + 1; i < end; ++i)
@@ -167,7 +172,7 @@ static void tiles_are_wider_where_there_is_less_room(void **state)
     int previous = 0;
     const size_t rooms[] = {1 << 20, 32768, 8192, 2048, EW_KIND_COUNT + 1 + 100};
     for (int i = 0; i < 5; ++i) {
-        const ew_plan plan = plan_of(&desc, &frame, rooms[i], &sources, &lists);
+        const ew_plan plan = plan_of(&desc, &frame, (ew_list_room){.most = rooms[i]}, &sources, &lists);
         assert_in_range(lists.entry_count, 1, rooms[i]);
         assert_true(lists.size_log2 >= previous);
         previous = lists.size_log2;
@@ -175,7 +180,7 @@ static void tiles_are_wider_where_there_is_less_room(void **state)
         assert_true(plan.permutation & EW_PERMUTATION_LISTS);
     }
     assert_int_equal(lists.columns * lists.rows, 1);
-    const ew_plan plan = plan_of(&desc, &frame, EW_KIND_COUNT + 100, &sources, &lists);
+    const ew_plan plan = plan_of(&desc, &frame, (ew_list_room){.most = EW_KIND_COUNT + 100}, &sources, &lists);
     assert_false(plan.permutation & EW_PERMUTATION_LISTS);
     assert_null(plan.lists);
     release(&sources, &lists);
@@ -203,6 +208,26 @@ static void deallocate_few(void *user, void *memory)
     free(memory);
 }
 
+/* Which has room for more. */
+static void a_texture_gets_the_lists_of_a_block(void **state)
+{
+    (void)state;
+    const ew_point orbs[] = {{.position = {1, 0, -5}, .coefficient = 1, .core = 1e-3, .reach = 1},
+                             {.position = {-1, 2, -6}, .coefficient = 1, .core = 1e-3, .reach = 2}};
+    const ew_sources_desc desc = {.points = orbs, .point_count = 2, .epsilon = 1};
+    const ew_frame_desc frame = lit_scene_plain_frame();
+    ew_sources sources = {0};
+    ew_tile_lists of_block = {0}, of_texture = {0};
+    plan_of(&desc, &frame, block, &sources, &of_block);
+    const ew_plan plan = plan_of(&desc, &frame, texture, &sources, &of_texture);
+    assert_int_equal(of_block.entry_count, of_texture.entry_count);
+    for (size_t i = 0; i < of_block.entry_count; ++i)
+        assert_int_equal(entry(&of_block, i), entry(&of_texture, i));
+    assert_int_equal(ew_first_list_row(&plan), 1);
+    release(&sources, &of_block);
+    ew_destroy_tile_lists(&of_texture, &ew_default_allocator);
+}
+
 static void memory_that_is_exhausted_is_an_error(void **state)
 {
     (void)state;
@@ -218,7 +243,7 @@ static void memory_that_is_exhausted_is_an_error(void **state)
         few_blocks few = {.allowed = allowed};
         const ew_allocator allocator = {allocate_few, deallocate_few, &few};
         assert_int_equal(ew_plan_frame(&plan, &sources, NULL, &frame, NULL), EW_OK);
-        ew_result result = ew_plan_lists(&plan, &lists, &sources, &frame, MOST, &allocator, &error);
+        ew_result result = ew_plan_lists(&plan, &lists, &sources, &frame, block, &allocator, &error);
         if (few.has_refused)
             check_refused(result, &error, EW_ERROR_OUT_OF_MEMORY, "no memory");
         else
@@ -237,6 +262,7 @@ int main(void)
         cmocka_unit_test(light_behind_the_eye_is_in_no_list),
         cmocka_unit_test(lists_keep_the_order_of_the_sources),
         cmocka_unit_test(tiles_are_wider_where_there_is_less_room),
+        cmocka_unit_test(a_texture_gets_the_lists_of_a_block),
         cmocka_unit_test(memory_that_is_exhausted_is_an_error),
     };
     return cmocka_run_group_tests_name("tile_lists", tests, NULL, NULL);
