@@ -132,7 +132,7 @@ refuses_text 'camera\.up' '{ "camera": { "eye": [0, 0, 8], "target": [0, 0, 0], 
 refuses_text 'camera\.near' '{ "camera": { "eye": [0, 0, 8], "target": [0, 0, 0], "near": 0 } }'
 refuses_text 'camera\.far' '{ "camera": { "eye": [0, 0, 8], "target": [0, 0, 0], "near": 2, "far": 2 } }'
 refuses_text 'camera\.fov_y_degrees' '{ "camera": { "eye": [0, 0, 8], "target": [0, 0, 0], "fov_y_degrees": 180 } }'
-too_many=$(yes '{ "position": [0, 0, 0] },' | head -n 2032)
+too_many=$(yes '{ "position": [0, 0, 0] },' | head -n 32768)
 refuses_scene 'points' "\"points\": [$too_many { \"position\": [0, 0, 0] }]"
 
 # ---- The world integral, and light with a reach

@@ -4,6 +4,7 @@
 #include "lit_scene.h"
 #include "plan/plan.h"
 
+#include <limits.h>
 #include <stdlib.h>
 
 enum { SIZE = LIT_SCENE_SIZE, SCENES = 40, PLACES = 10000, MARGIN = EW_NODE_MARGIN * EW_CELL_SIZE };
@@ -228,6 +229,21 @@ static void a_texture_gets_the_lists_of_a_block(void **state)
     ew_destroy_tile_lists(&of_texture, &ew_default_allocator);
 }
 
+/* A context will refuse it. */
+static void a_viewport_beyond_all_limits_has_no_lists(void **state)
+{
+    (void)state;
+    const ew_point orb = {.position = {0, 0, -5}, .coefficient = 1, .core = 1e-3, .reach = 1};
+    const ew_sources_desc desc = {.points = &orb, .point_count = 1, .epsilon = 1};
+    ew_frame_desc frame = lit_scene_plain_frame();
+    frame.viewport_width = INT_MAX;
+    frame.viewport_height = 1;
+    ew_sources sources = {0};
+    ew_tile_lists lists = {0};
+    assert_null(plan_of(&desc, &frame, block, &sources, &lists).lists);
+    release(&sources, &lists);
+}
+
 static void memory_that_is_exhausted_is_an_error(void **state)
 {
     (void)state;
@@ -263,6 +279,7 @@ int main(void)
         cmocka_unit_test(lists_keep_the_order_of_the_sources),
         cmocka_unit_test(tiles_are_wider_where_there_is_less_room),
         cmocka_unit_test(a_texture_gets_the_lists_of_a_block),
+        cmocka_unit_test(a_viewport_beyond_all_limits_has_no_lists),
         cmocka_unit_test(memory_that_is_exhausted_is_an_error),
     };
     return cmocka_run_group_tests_name("tile_lists", tests, NULL, NULL);
