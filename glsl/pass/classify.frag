@@ -13,8 +13,8 @@ out vec4 ew_class;
 // How far the polynomial may be off the light. It goes through the node in the middle of the patch; how far it would be off there without
 // that, its surplus, tells of all that is not smooth: a kink, as at a reach or where the nearest point jumps, or a core that passes between
 // the nodes at the corners. Along the edges, Hermite's error where the light is smooth is 1 / 384 of the nodes' fourth differences.
-const float EW_ERROR_OF_SURPLUS = 4.0;
-const float EW_ERROR_OF_DIFFERENCE = 1.0 / 20.0;
+const float EW_ERROR_OF_SURPLUS = 6.0;
+const float EW_ERROR_OF_DIFFERENCE = 1.0 / 12.0;
 
 vec4 ew_fourth_difference(vec4 a, vec4 b, vec4 c, vec4 d, vec4 e)
 {
