@@ -11,8 +11,15 @@
 /* In pixels: how far nodes lie, and tiles go on, beyond the viewport's blocks on each side; and how wide blocks are. */
 enum { MARGIN = EW_NODE_MARGIN * EW_CELL_SIZE, BLOCK = EW_BLOCK_CELLS * EW_CELL_SIZE };
 
-/* A tile that is wider than any viewport that a context takes, and the largest viewport that has lists. */
-enum { ONE_TILE_LOG2 = 20, MAX_VIEWPORT = 1 << 18 };
+/* A tile that is wider than any viewport that a context takes; the largest viewport that has lists, and how far away it may
+ * begin. */
+enum { ONE_TILE_LOG2 = 20, MAX_VIEWPORT = 1 << 18, MAX_ORIGIN = 1 << 30 };
+
+static bool is_countable(const ew_viewport *viewport)
+{
+    return viewport->width <= MAX_VIEWPORT && viewport->height <= MAX_VIEWPORT && viewport->x >= -MAX_ORIGIN &&
+           viewport->x <= MAX_ORIGIN && viewport->y >= -MAX_ORIGIN && viewport->y <= MAX_ORIGIN;
+}
 
 static int blocks_in(int pixels)
 {
@@ -311,7 +318,7 @@ ew_result ew_make_tile_lists(ew_tile_lists *lists, const ew_sources *sources, co
     int first_size_log2 = has_reach(sources) ? first_size(lists) : ONE_TILE_LOG2;
     lists->entry_count = 0;
     lists->room = room;
-    if (viewport->width > MAX_VIEWPORT || viewport->height > MAX_VIEWPORT) return EW_OK;
+    if (!is_countable(viewport)) return EW_OK;
     for (int size_log2 = first_size_log2; size_log2 <= ONE_TILE_LOG2; ++size_log2) {
         lists->size_log2 = size_log2;
         lists->columns = tiles_over(viewport->width, size_log2);

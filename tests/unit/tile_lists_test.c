@@ -235,13 +235,18 @@ static void a_viewport_beyond_all_limits_has_no_lists(void **state)
     (void)state;
     const ew_point orb = {.position = {0, 0, -5}, .coefficient = 1, .core = 1e-3, .reach = 1};
     const ew_sources_desc desc = {.points = &orb, .point_count = 1, .epsilon = 1};
-    ew_frame_desc frame = lit_scene_plain_frame();
-    frame.viewport_width = INT_MAX;
-    frame.viewport_height = 1;
-    ew_sources sources = {0};
-    ew_tile_lists lists = {0};
-    assert_null(plan_of(&desc, &frame, block, &sources, &lists).lists);
-    release(&sources, &lists);
+    static const int viewports[][4] = {{0, 0, INT_MAX, 1}, {0, 0, 1, INT_MAX}, {INT_MAX, 0, 1, 1}, {0, INT_MIN, 1, 1}};
+    for (int i = 0; i < 4; ++i) {
+        ew_frame_desc frame = lit_scene_plain_frame();
+        frame.viewport_x = viewports[i][0];
+        frame.viewport_y = viewports[i][1];
+        frame.viewport_width = viewports[i][2];
+        frame.viewport_height = viewports[i][3];
+        ew_sources sources = {0};
+        ew_tile_lists lists = {0};
+        assert_null(plan_of(&desc, &frame, block, &sources, &lists).lists);
+        release(&sources, &lists);
+    }
 }
 
 static void memory_that_is_exhausted_is_an_error(void **state)
