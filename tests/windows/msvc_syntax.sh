@@ -23,7 +23,7 @@ takes() {
 
 library=$(find "$sources/src" -name '*.c')
 programs=$(find "$sources/demo/support" "$sources/demo/ew_demo" "$sources/demo/ew_render" -name '*.c' |
-    grep -v '_\(posix\|egl\|osmesa\)\.c$')
+    grep -v '_\(posix\|egl\|osmesa\|webgl\)\.c$')
 for file in $library "$build/src/glsl_text.c"; do
     takes "$file" '-D__attribute__(x)=this_compiler_has_no_attributes'
 done
