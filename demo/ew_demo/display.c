@@ -200,6 +200,21 @@ static bool draw_file_opaque(const demo_display *display, const display_view *vi
     return ok;
 }
 
+int display_prepare(demo_display *display, const display_view *view)
+{
+    char message[200];
+    int sum = 0;
+    if (!make_targets(display, view, message, sizeof message) || ew_set_sources(display->effect, &view->scene->sources, NULL))
+        return -1;
+    for (int half = 0; half < (view->split ? 2 : 1); half++) {
+        int steps_left;
+        ew_frame_desc frame = half_frame(display, view, half, display->effect_framebuffer);
+        if (ew_prepare_step(display->effect, NULL, &frame, &steps_left, NULL)) return -1;
+        sum += steps_left;
+    }
+    return sum;
+}
+
 bool display_draw(demo_display *display, const display_view *asked_view, char *message, size_t size)
 {
     display_view view = *asked_view;
@@ -241,6 +256,12 @@ void display_read(const demo_display *display, unsigned char *srgb)
 {
     const pixel_rectangle whole = {0, 0, display->width, display->height};
     texture_read(display->gl, display->picture_framebuffer, whole, GL_RGB, GL_UNSIGNED_BYTE, srgb);
+}
+
+void display_read_rgba(const demo_display *display, unsigned char *srgb)
+{
+    const pixel_rectangle whole = {0, 0, display->width, display->height};
+    texture_read(display->gl, display->picture_framebuffer, whole, GL_RGBA, GL_UNSIGNED_BYTE, srgb);
 }
 
 void display_destroy(demo_display *display)

@@ -44,6 +44,10 @@ typedef struct display_statistics {
  * failure. */
 demo_display *display_create(const gl_functions *gl, const ew_effect_desc *desc, char *message, size_t size);
 
+/* Takes one step of compiling what the view needs, as ew_prepare_step does. Returns how many steps are left, 0 if display_draw
+ * need not wait, or -1 on failure, which display_draw reports. */
+int display_prepare(demo_display *display, const display_view *view);
+
 /* Draws a picture into the display's own framebuffer. On failure returns false, with a message. */
 bool display_draw(demo_display *display, const display_view *view, char *message, size_t size);
 
@@ -54,6 +58,9 @@ void display_size(const demo_display *display, int *width, int *height);
 
 /* Reads the last picture: 3 bytes a pixel, rows from the bottom up. */
 void display_read(const demo_display *display, unsigned char *srgb);
+
+/* The same with 4 bytes a pixel, the fourth of which is 255. */
+void display_read_rgba(const demo_display *display, unsigned char *srgb);
 
 display_statistics display_statistics_of(const demo_display *display, int half);
 

@@ -106,17 +106,16 @@ static ew_result put_colors(const gl_functions *gl, const ew_frame_desc *frame, 
                             GLuint picture, ew_error *error)
 {
     ew_result result = EW_OK;
-    unsigned char *srgb = allocate(pixel_count(frame) * 3, &result, error);
+    unsigned char *srgb = allocate(pixel_count(frame) * 4, &result, error);
     for (size_t i = 0; !result && i < pixel_count(frame); i++) {
         double value = (double)values[i];
-        false_color_at(is_error ? false_color_of_error(value) : false_color_of_evaluations(value), srgb + 3 * i);
+        false_color_at(is_error ? false_color_of_error(value) : false_color_of_evaluations(value), srgb + 4 * i);
+        srgb[4 * i + 3] = 255; /* OpenGL ES takes the texture's own format, and no other. */
     }
     if (!result) {
         gl->BindTexture(GL_TEXTURE_2D, picture);
-        gl->PixelStorei(GL_UNPACK_ALIGNMENT, 1);
         gl->TexSubImage2D(GL_TEXTURE_2D, 0, frame->viewport_x, frame->viewport_y, frame->viewport_width, frame->viewport_height,
-                          GL_RGB, GL_UNSIGNED_BYTE, srgb);
-        gl->PixelStorei(GL_UNPACK_ALIGNMENT, 4);
+                          GL_RGBA, GL_UNSIGNED_BYTE, srgb);
         gl->BindTexture(GL_TEXTURE_2D, 0);
     }
     free(srgb);

@@ -179,6 +179,12 @@ bool reader_bool_member(json_reader *r, const json_value *object, const char *ke
     return json_is_true(value.json);
 }
 
+void reader_text_member(json_reader *r, const json_value *object, const char *key)
+{
+    json_value text = reader_member(r, object, key, OPTIONAL);
+    if (text.json && !json_is_string(text.json)) reader_fail(r, &text.at, "must be a string, not %s", reader_type_text(&text));
+}
+
 int reader_word_member(json_reader *r, const json_value *object, const char *key, json_presence presence,
                        const char *const *words)
 {

@@ -74,6 +74,9 @@ void reader_matrix_member(json_reader *r, const json_value *object, const char *
 /* An optional member, which is false by default. */
 bool reader_bool_member(json_reader *r, const json_value *object, const char *key);
 
+/* Checks an optional string, which says something to people. */
+void reader_text_member(json_reader *r, const json_value *object, const char *key);
+
 /* Returns which of `words`, which end with NULL, the member is; 0 where it is absent or a fault. */
 int reader_word_member(json_reader *r, const json_value *object, const char *key, json_presence presence,
                        const char *const *words);

@@ -16,7 +16,7 @@ enum { MAX_FILE_BYTES = 64 << 20 };
 
 static void read_box(json_reader *r, const json_value *value, opaque_shape *result)
 {
-    static const char *const keys[] = {"shape", "min", "max", "color", NULL};
+    static const char *const keys[] = {"shape", "name", "min", "max", "color", NULL};
     double *min = result->shape.box.min, *max = result->shape.box.max;
     reader_check_keys(r, value, keys);
     reader_vector_member(r, value, "min", REQUIRED, ANY, min);
@@ -28,7 +28,7 @@ static void read_box(json_reader *r, const json_value *value, opaque_shape *resu
 
 static void read_plane(json_reader *r, const json_value *value, opaque_shape *result)
 {
-    static const char *const keys[] = {"shape", "point", "normal", "color", NULL};
+    static const char *const keys[] = {"shape", "name", "point", "normal", "color", NULL};
     reader_check_keys(r, value, keys);
     reader_vector_member(r, value, "point", REQUIRED, ANY, result->shape.plane.point);
     reader_direction_member(r, value, "normal", result->shape.plane.normal);
@@ -36,7 +36,7 @@ static void read_plane(json_reader *r, const json_value *value, opaque_shape *re
 
 static void read_sphere(json_reader *r, const json_value *value, opaque_shape *result)
 {
-    static const char *const keys[] = {"shape", "center", "radius", "color", NULL};
+    static const char *const keys[] = {"shape", "name", "center", "radius", "color", NULL};
     reader_check_keys(r, value, keys);
     reader_vector_member(r, value, "center", REQUIRED, ANY, result->shape.sphere.center);
     reader_number_member(r, value, "radius", REQUIRED, POSITIVE, &result->shape.sphere.radius);
@@ -52,6 +52,7 @@ static void read_opaque(json_reader *r, const json_value *value, void *result)
     shape->kind = (opaque_kind)reader_word_member(r, value, "shape", REQUIRED, kinds);
     if (!r->ok) return;
     readers[shape->kind](r, value, shape);
+    reader_text_member(r, value, "name");
     for (int i = 0; i < 3; i++)
         shape->color[i] = 0.8;
     reader_vector_member(r, value, "color", OPTIONAL, NOT_NEGATIVE, shape->color);
@@ -138,11 +139,10 @@ static void read_decay(json_reader *r, const json_value *root, demo_scene *scene
 
 static void read_version_and_comment(json_reader *r, const json_value *root)
 {
-    json_value version = reader_member(r, root, "version", OPTIONAL), comment = reader_member(r, root, "comment", OPTIONAL);
+    json_value version = reader_member(r, root, "version", OPTIONAL);
     if (version.json && !(json_is_number(version.json) && json_number_value(version.json) == 1))
         reader_fail(r, &version.at, "must be 1, the only version there is");
-    if (comment.json && !json_is_string(comment.json))
-        reader_fail(r, &comment.at, "must be a string, not %s", reader_type_text(&comment));
+    reader_text_member(r, root, "comment");
 }
 
 static void check_root_keys(json_reader *r, const json_value *root)

@@ -5,7 +5,7 @@
 
 /* ---- What all kinds have in common -------------------------------------------------------------------------------------- */
 
-#define LIGHT_KEYS "coefficient", "brightness", "color", "core", "reach", "sharpness"
+#define LIGHT_KEYS "name", "coefficient", "brightness", "color", "core", "reach", "sharpness"
 
 /* The members with which a source of any kind ends. */
 typedef struct source_light {
@@ -58,6 +58,7 @@ static void check_light(json_reader *r, const json_value *source, const source_l
 static void read_light(json_reader *r, const json_value *source, const source_light *light)
 {
     const demo_scene *scene = r->context;
+    reader_text_member(r, source, "name");
     if (!has_member(source, "brightness")) *light->coefficient = 1;
     reader_number_member(r, source, "coefficient", OPTIONAL, NOT_NEGATIVE, light->coefficient);
     reader_number_member(r, source, "brightness", OPTIONAL, NOT_NEGATIVE, light->brightness);
