@@ -62,6 +62,12 @@ EMSCRIPTEN_KEEPALIVE const char *page_show_file(const char *text, size_t length)
     demo_scene scene;
     page.message[0] = '\0';
     if (!scene_parse(text, length, "scene", &scene, page.message, sizeof page.message)) return page.message;
+    char fault[300];
+    if (!display_check(page.display, &scene.sources, fault, sizeof fault)) {
+        message_write(page.message, sizeof page.message, "scene: %s", fault);
+        scene_free(&scene);
+        return page.message;
+    }
     scene_free(&page.file);
     page.file = scene;
     page.shows_court = false;

@@ -200,6 +200,14 @@ static bool draw_file_opaque(const demo_display *display, const display_view *vi
     return ok;
 }
 
+bool display_check(demo_display *display, const ew_sources_desc *sources, char *message, size_t size)
+{
+    ew_error error;
+    if (!ew_set_sources(display->effect, sources, &error)) return true;
+    message_write(message, size, "%s", error.text);
+    return false;
+}
+
 int display_prepare(demo_display *display, const display_view *view)
 {
     char message[200];

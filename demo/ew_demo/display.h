@@ -44,6 +44,10 @@ typedef struct display_statistics {
  * failure. */
 demo_display *display_create(const gl_functions *gl, const ew_effect_desc *desc, char *message, size_t size);
 
+/* Whether the sources can be drawn: they may be too many, or bend too much. If not, `message` says what to mend, and nothing
+ * changes. */
+bool display_check(demo_display *display, const ew_sources_desc *sources, char *message, size_t size);
+
 /* Takes one step of compiling what the view needs, as ew_prepare_step does. Returns how many steps are left, 0 if display_draw
  * need not wait, or -1 on failure, which display_draw reports. */
 int display_prepare(demo_display *display, const display_view *view);

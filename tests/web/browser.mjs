@@ -30,28 +30,33 @@ function renderer() {
     return info ? gl.getParameter(info.UNMASKED_RENDERER_WEBGL) : 'nothing';
 }
 
-// Opens page.html in a browser that draws by `rasteriser`, with a profile of its own in `folder`. Needs a display, since Chromium
-// draws by llvmpipe only to a window.
-export async function open(rasteriser, folder, files) {
-    const server = await serve(files);
+// Opens a page in a browser that draws by `rasteriser`, with a profile of its own in `folder`. Needs a display, since Chromium draws
+// by llvmpipe only to a window. `options` are Playwright's.
+export async function launch(rasteriser, folder, address, options = {}) {
     const browser = await chromium.launchPersistentContext(`${folder}/profile-${rasteriser}`, {
         executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium',
         headless: false,
         // Chromium refuses to run as root with a sandbox.
         args: [...rasterisers[rasteriser], ...(process.getuid() === 0 ? ['--no-sandbox'] : [])],
+        ...options,
     });
     const page = browser.pages()[0];
     page.on('console', (message) => console.log(`${rasteriser}: ${message.text()}`));
     page.on('pageerror', (error) => console.log(`${rasteriser}: ${error}`));
+    await page.goto(address);
+    const found = await page.evaluate(renderer);
+    if (renderers[rasteriser].test(found)) return { page, browser };
+    await browser.close();
+    throw new Error(`Chromium draws by ${found} rather than by ${rasteriser}`);
+}
+
+// Opens page.html, served with `files`.
+export async function open(rasteriser, folder, files) {
+    const server = await serve(files);
+    const { page, browser } = await launch(rasteriser, folder, `http://127.0.0.1:${server.address().port}/page.html`);
     const close = async () => {
         await browser.close();
         server.close();
     };
-    await page.goto(`http://127.0.0.1:${server.address().port}/page.html`);
-    const found = await page.evaluate(renderer);
-    if (!renderers[rasteriser].test(found)) {
-        await close();
-        throw new Error(`Chromium draws by ${found} rather than by ${rasteriser}`);
-    }
     return { page, close };
 }

@@ -112,7 +112,7 @@ const shapes = {
     },
 };
 
-// `create` makes one at a place, `size` world units large, `right` being the viewer's right.
+// `create` makes one at a place, `size` world units large; `right` is the viewer's right.
 export const kinds = {
     points: {
         label: 'Orb',
@@ -155,7 +155,7 @@ export const kinds = {
         lines: (part) => [part.control_points ? bezierOf(polynomialOf(part.control_points), part.domain ?? [0, 1]) : bezierOf(part.polynomial, part.domain ?? [0, 1])],
     },
     opaque: {
-        label: 'Shape',
+        label: 'Solid',
         create: (at, size) => ({ shape: 'box', min: addScaled(at, -0.4 * size, [1, 1, 1]), max: addScaled(at, 0.4 * size, [1, 1, 1]), color: [0.3, 0.3, 0.32] }),
         handles: (part) => shapes[part.shape].handles(part),
         lines: (part) => shapes[part.shape].lines(part),
@@ -173,3 +173,32 @@ function polynomialHandles(part) {
 
 export const isSource = (list) => list !== 'opaque';
 export const hasWeights = (list) => list === 'paths' || list === 'curves';
+
+// A B-spline that winds round an axis that goes up through `at`, `height` high and as wide as `radius`.
+function spiral(at, size, radius, height) {
+    const turns = 3, perTurn = 8, count = turns * perTurn;
+    const points = Array.from({ length: count + 1 }, (_, i) => {
+        const angle = (2 * Math.PI * i) / perTurn;
+        return add(at, [radius * Math.cos(angle), height * (i / count), radius * Math.sin(angle)].map((x) => Number(x.toPrecision(5))));
+    });
+    return { kind: 'bspline', points, ...glow(size) };
+}
+
+// What can be added: its list, and a function that makes one. A spiral winds round the opaque shape `around`, if there is one.
+export const additions = {
+    orb: { label: 'Orb', list: 'points', create: kinds.points.create },
+    beam: { label: 'Beam', list: 'paths', create: (at, size, right) => ({ points: [addScaled(at, -size, right), addScaled(at, size, right)], ...glow(size) }) },
+    path: { label: 'Path', list: 'paths', create: kinds.paths.create },
+    spiral: { label: 'Spiral', list: 'paths', create(at, size, right, around) {
+        if (around?.shape === 'box') {
+            const [x, , z] = mix(around.min, around.max, 0.5), height = around.max[1] - around.min[1];
+            return spiral([x, around.min[1] + 0.05 * height, z], size, 0.85 * Math.max(around.max[0] - around.min[0], around.max[2] - around.min[2]), 0.9 * height);
+        }
+        if (around?.shape === 'sphere') return spiral(addScaled(around.center, -around.radius, [0, 1, 0]), size, 1.2 * around.radius, 2 * around.radius);
+        return spiral(addScaled(at, -size, [0, 1, 0]), size, 0.6 * size, 2 * size);
+    } },
+    ring: { label: 'Ring', list: 'tori', create: kinds.tori.create },
+    line: { label: 'Endless line', list: 'lines', create: kinds.lines.create },
+    curve: { label: 'Curve', list: 'curves', create: kinds.curves.create },
+    shape: { label: 'Solid', list: 'opaque', create: kinds.opaque.create },
+};

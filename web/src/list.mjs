@@ -27,7 +27,7 @@ export class PartList {
 
     #row({ key, name, isHidden, color }) {
         const swatch = element('i', { class: isSource(listOf(key)) ? 'swatch' : 'swatch solid', 'aria-hidden': 'true' });
-        const most = Math.max(...color, 1e-9);
+        const most = isSource(listOf(key)) ? Math.max(...color, 1e-9) : 1; // of a light, only the hue
         swatch.style.background = `rgb(${color.map((x) => Math.round(255 * Math.min(1, x / most) ** (1 / 2.2))).join(' ')})`;
         const choose = element('button', { type: 'button', class: isHidden ? 'part hidden' : 'part', 'data-focus': `part ${key}`,
             'aria-pressed': String(key === this.app.selection), onclick: () => this.app.select(key) }, swatch, element('span', {}, name));

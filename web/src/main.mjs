@@ -6,7 +6,7 @@ import { createEngine, whatIsMissing } from './engine.mjs';
 import { chooseFile, download, textOfFile } from './files.mjs';
 import { History } from './history.mjs';
 import { listKeys, shortcuts, watchKeys } from './keys.mjs';
-import { isSource, kinds } from './kinds.mjs';
+import { additions, isSource, kinds } from './kinds.mjs';
 import { linkOf, textOfLink } from './link.mjs';
 import { PartList } from './list.mjs';
 import { howControls, lookControls } from './look.mjs';
@@ -137,7 +137,7 @@ function showCourt() {
 
 // ---- Drawing --------------------------------------------------------------------------------------------------------------
 
-let held;
+let held, hasPicture = false;
 
 // Called before each frame: tells the engine what to draw. Returns whether it moves by itself.
 function sync(now) {
@@ -157,11 +157,13 @@ function sync(now) {
 const report = {
     progress(share) {
         at('loading').hidden = false;
+        at('loading').classList.toggle('again', hasPicture);
         at('loading-text').textContent = 'Compiling shaders';
         at('progress').value = share;
         stage.setAttribute('aria-busy', 'true');
     },
     drawn(rests) {
+        hasPicture = true;
         at('loading').hidden = true;
         stage.setAttribute('aria-busy', String(!rests));
         at('map-text').textContent = mapText();
@@ -235,16 +237,16 @@ function refresh() {
     view?.wake();
 }
 
-// Where a new part goes: where the camera looks, or on what is in the way, and how large it is.
+// Where a new part goes, the middle of what the camera looks at, and how large it is.
 function newPlace() {
     const size = 0.12 * app.camera.distance;
     return { place: app.camera.target.map((x) => Number(x.toPrecision(6))), size: Number(size.toPrecision(2)), right: app.camera.axes.right };
 }
 
-function addPart(list) {
+function addPart(name) {
     editMoment();
-    const { place, size, right } = newPlace();
-    const [changed, key] = scenes.withAdded(app.history.current, list, kinds[list].create(place, size, right));
+    const { list, create } = additions[name], { place, size, right } = newPlace();
+    const [changed, key] = scenes.withAdded(app.history.current, list, create(place, size, right, scenes.partOf(app.history.current, app.selection)));
     if (app.history.commit(changed)) app.select(key);
 }
 
@@ -360,11 +362,11 @@ async function savePng() {
 }
 
 function wirePanel() {
-    at('start').append(new Option('…', ''), ...starts.map(([value, label]) => new Option(label, value)));
+    at('start').append(new Option('your own scene', ''), ...starts.map(([value, label]) => new Option(label, value)));
     at('start').options[0].hidden = true;
     at('start').addEventListener('change', () => startFrom(at('start').value));
-    at('add').append(...Object.entries(kinds).map(([list, { label }]) =>
-        button(`+ ${label}`, () => addPart(list), { id: `add-${list}`, 'aria-label': `Add: ${label}` })));
+    at('add').append(...Object.entries(additions).map(([name, { label }]) =>
+        button(`+ ${label}`, () => addPart(name), { id: `add-${name}`, 'aria-label': `Add: ${label}` })));
     const clicks = { play: actions.play, 'edit-moment': editMoment, undo: actions.undo, redo: actions.redo, open: actions.open, save: actions.save,
         focus: actions.focus, duplicate: actions.duplicate, solo: actions.solo, delete: actions.remove, help: actions.help, png: savePng,
         'close-message': () => say(''),

@@ -27,7 +27,7 @@ function lightControls(app, part, get, change) {
     const { scene } = app.history.current;
     const controls = [
         part.coefficient === undefined && part.reach !== undefined
-            ? number('brightness', 'Brightness', '× white', 0, 8, false, 1) : number('coefficient', 'Coefficient', '', 0.01, 100, true, 1),
+            ? number('brightness', 'Brightness', '×', 0, 8, false, 1) : number('coefficient', 'Coefficient', '', 0.01, 100, true, 1),
         number('core', 'Core', 'units', 0.001, 10, true, scene.epsilon ?? 1e-3)];
     if (part.reach !== undefined)
         controls.push(number('reach', 'Reach', 'units', 0.01, 100, true, 1), number('sharpness', 'Sharpness', '', 1, 8, false, 1));

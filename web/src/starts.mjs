@@ -8,7 +8,7 @@ const emptyScene = {
     background: [0.004, 0.006, 0.012],
     composite: 'soft',
     opaque: [{ shape: 'plane', name: 'Floor', point: [0, 0, 0], normal: [0, 1, 0], color: [0.08, 0.085, 0.1] },
-        { shape: 'box', name: 'Pillar', min: [-0.35, 0, -0.35], max: [0.35, 3, 0.35], color: [0.2, 0.2, 0.22] }],
+        { shape: 'box', name: 'Pillar', min: [-0.35, 0, -2.35], max: [0.35, 3, -1.65], color: [0.2, 0.2, 0.22] }],
 };
 
 const courtNames = { points: ['Orb', 'Impact'], tori: ['Shock ring'], paths: ['Bolt', 'Branch', 'Stream', 'Spiral', 'Slash', 'Beam'] };

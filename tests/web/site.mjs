@@ -1,0 +1,327 @@
+// The page, as one uses it: each test is a promise of it. Pictures of the page itself are left in FOLDER, to be looked at.
+// Usage: site.mjs SITE NATIVE_BUILD FOLDER; run where the repository is
+import { execFileSync } from 'node:child_process';
+import { mkdirSync, readdirSync, readFileSync, rmSync, statSync, writeFileSync } from 'node:fs';
+import { serve } from './serve.mjs';
+import { launch } from './browser.mjs';
+
+const [site, native, folder] = process.argv.slice(2);
+const [width, height] = [368, 207];
+const mostBytes = 1e6, most = 2; // of 255
+const patience = 60000; // milliseconds, for shaders and pictures by software
+
+rmSync(folder, { recursive: true, force: true });
+mkdirSync(folder, { recursive: true });
+const server = await serve(site, 0);
+const address = `http://127.0.0.1:${server.address().port}/`;
+const { page, browser } = await launch('swiftshader', folder, `${address}?any`, { viewport: { width: 900, height: 520 }, permissions: ['clipboard-read', 'clipboard-write'] });
+page.setDefaultTimeout(patience);
+
+const requests = [], faults = [];
+browser.on('request', (request) => requests.push(request.url()));
+page.on('pageerror', (error) => faults.push(String(error)));
+page.on('console', (message) => ['error', 'warning'].includes(message.type()) && faults.push(message.text()));
+
+const rests = () => page.waitForFunction(() => document.getElementById('stage').getAttribute('aria-busy') === 'false' && document.getElementById('loading').hidden);
+const look = (name) => page.screenshot({ path: `${folder}/${name}.png` });
+const message = () => page.evaluate(() => (document.getElementById('message').hidden ? '' : document.getElementById('message-text').textContent));
+const parts = () => page.locator('#parts .part').allTextContents();
+
+async function startFrom(name) {
+    await page.selectOption('#start', name);
+    await page.waitForFunction(() => document.getElementById('start').value === '');
+    await rests();
+}
+
+async function saved(button = '#save') {
+    const [download] = await Promise.all([page.waitForEvent('download'), page.click(button)]);
+    return readFileSync(await download.path());
+}
+
+const savedScene = async () => JSON.parse(await saved());
+
+async function openFile(file) {
+    const [chooser] = await Promise.all([page.waitForEvent('filechooser'), page.click('#open')]);
+    await chooser.setFiles(file);
+}
+
+const asFile = (name, text) => ({ name, mimeType: 'application/json', buffer: Buffer.from(text) });
+
+// The largest difference between two PNGs, in 255ths, away from silhouettes of opaque shapes: there rasterisers may choose another surface.
+function difference(a, b) {
+    return page.evaluate(async (pngs) => {
+        const pictures = await Promise.all(pngs.map(async (png) => {
+            const bitmap = await createImageBitmap(new Blob([Uint8Array.from(atob(png), (c) => c.charCodeAt(0))], { type: 'image/png' }), { colorSpaceConversion: 'none' });
+            const context = new OffscreenCanvas(bitmap.width, bitmap.height).getContext('2d');
+            context.drawImage(bitmap, 0, 0);
+            return context.getImageData(0, 0, bitmap.width, bitmap.height).data;
+        }));
+        let beyond = 0, largest = 0;
+        for (let i = 0; i < Math.max(pictures[0].length, pictures[1].length); i++) {
+            const off = Math.abs(pictures[0][i] - pictures[1][i]);
+            if (!(off <= 2)) beyond++;
+            else largest = Math.max(largest, off);
+        }
+        return { largest, beyond: beyond / pictures[0].length };
+    }, [a, b].map((png) => png.toString('base64')));
+}
+
+function renderNatively(path) {
+    const picture = `${folder}/native.png`;
+    execFileSync(`${native}/demo/ew-render`, [path, '-o', picture, '--size', `${width}x${height}`, '--resolution', 'full'], { stdio: ['ignore', 'ignore', 'inherit'] });
+    return readFileSync(picture);
+}
+
+async function pagePng() {
+    await page.fill('#png-width', String(width));
+    await page.fill('#png-height', String(height));
+    return saved('#png');
+}
+
+function expect(condition, what) {
+    if (!condition) throw new Error(what);
+}
+
+// How many steps of 255 two pictures of one scene may be apart, and which part of their numbers belongs to silhouettes.
+function expectSame({ largest, beyond }, what) {
+    expect(largest <= most && beyond <= 0.001, `${what}: ${largest}/255 off, ${beyond} of the numbers beyond ${most}`);
+}
+
+const tests = {
+    'draws the court, and is smaller than a megabyte': async () => {
+        await page.waitForFunction(() => document.getElementById('loading').hidden);
+        await look('court');
+        const sizes = readdirSync(site, { recursive: true }).map((name) => statSync(`${site}/${name}`)).filter((file) => file.isFile()).map((file) => file.size);
+        const sum = sizes.reduce((a, b) => a + b, 0);
+        expect(sum < mostBytes, `the site has ${sum} bytes`);
+    },
+    'a click on a light takes this moment and chooses the light': async () => {
+        await page.click('#play');
+        await page.click('#edit-moment');
+        await rests();
+        expect((await parts()).includes('Orb'), `the list has ${await parts()}`);
+        await page.locator('#parts .part', { hasText: /^Orb$/ }).click();
+        const handle = await page.locator('circle.handle').first().boundingBox();
+        await page.keyboard.press('Escape');
+        expect(await page.isHidden('#selected'), 'Escape left something chosen');
+        await page.mouse.click(handle.x + handle.width / 2 + 3, handle.y + handle.height / 2 + 3);
+        expect((await page.textContent('#selected-title')) === 'Orb', `${await page.textContent('#selected-title')} was chosen`);
+    },
+    'a dragged point and a new reach are undone, redone, saved, kept over a reload, and opened': async () => {
+        await startFrom('empty');
+        await page.click('#add-path');
+        await rests();
+        const before = await savedScene();
+        const box = await page.locator('circle.handle').nth(1).boundingBox();
+        await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
+        await page.mouse.down();
+        await page.mouse.move(box.x + 30, box.y - 60, { steps: 4 });
+        await page.mouse.up();
+        await page.fill('#reach-number', '0.75');
+        await page.keyboard.press('Tab');
+        await rests();
+        await look('path');
+        const changed = await savedScene();
+        expect(changed.paths[0].reach === 0.75, `the reach is ${changed.paths[0].reach}`);
+        expect(changed.paths[0].points[1][1] > before.paths[0].points[1][1] + 0.1, 'the point was not dragged up');
+        await page.click('#undo');
+        await page.click('#undo');
+        expect(JSON.stringify((await savedScene()).paths) === JSON.stringify(before.paths), 'undo did not bring back what was there');
+        await page.click('#redo');
+        await page.click('#redo');
+        const redone = await saved();
+        expect(JSON.stringify(JSON.parse(redone).paths) === JSON.stringify(changed.paths), 'redo did not bring back the changes');
+        await page.reload();
+        await rests();
+        expect(JSON.stringify(await savedScene()) === JSON.stringify(changed), 'the reload lost something');
+        await startFrom('empty');
+        await openFile(asFile('mine.json', redone.toString()));
+        await page.waitForFunction(() => document.querySelectorAll('#parts .part').length === 3);
+        expect(JSON.stringify(await savedScene()) === JSON.stringify(changed), 'the file opened as something else');
+    },
+    'the keyboard alone is enough': async () => {
+        await startFrom('empty');
+        await page.focus('#add-orb');
+        await page.keyboard.press('Enter');
+        const before = (await savedScene()).points[0].position;
+        await page.locator('circle.handle').first().focus();
+        await page.keyboard.press('x');
+        await page.keyboard.press('ArrowRight');
+        const after = (await savedScene()).points[0].position;
+        expect(after[0] > before[0] && after[1] === before[1] && after[2] === before[2], `the arrow moved it from ${before} to ${after}`);
+        await page.keyboard.press('v');
+        await page.keyboard.press('Control+d');
+        expect((await savedScene()).points.length === 2, 'Ctrl+D did not duplicate');
+        await page.keyboard.press('Control+z');
+        await page.keyboard.press('Control+z');
+        expect((await savedScene()).points[0].position.join() === before.join(), 'Ctrl+Z did not undo');
+        await page.keyboard.press('?');
+        expect(await page.isVisible('#keys'), '? shows no keys');
+        await look('keys');
+        await page.keyboard.press('Escape');
+        await page.locator('#parts .part').first().focus();
+        await page.keyboard.press('Enter');
+        await page.keyboard.press('Delete');
+        expect(!(await savedScene()).points, 'Delete did not delete');
+    },
+    'every kind can be added, and hidden, and every control leaves a scene that ew-render takes': async () => {
+        await startFrom('empty');
+        for (const name of ['orb', 'beam', 'path', 'spiral', 'ring', 'line', 'curve', 'shape']) await page.click(`#add-${name}`);
+        for (const part of await page.locator('#parts .part').all()) {
+            await part.click();
+            for (const range of await page.locator('#controls input[type=range]').all()) {
+                await range.press('End');
+                await range.press('Home');
+            }
+            for (const kind of ['polyline', 'bspline', 'bezier', 'catmull_rom'])
+                if (await page.locator('#kind').count()) await page.selectOption('#kind', kind);
+            if (await page.locator('#add-weights').count()) await page.click('#add-weights');
+        }
+        await page.keyboard.press('Escape');
+        writeFileSync(`${folder}/everything.json`, await saved());
+        renderNatively(`${folder}/everything.json`);
+        expect((await message()) === 'Saved.', await message());
+    },
+    'what the page shows is what ew-render draws': async () => {
+        for (const name of ['showpiece', 'weights-seven', 'artists/aura', 'artists/beam-struggle', 'artists/slash', 'artists/portal']) {
+            await openFile(`demo/scenes/${name}.json`);
+            await page.waitForFunction((count) => document.querySelectorAll('#parts .part').length === count,
+                Object.values(JSON.parse(readFileSync(`demo/scenes/${name}.json`))).filter(Array.isArray).flatMap((list) => (typeof list[0] === 'object' ? list : [])).length);
+            const png = await pagePng();
+            writeFileSync(`${folder}/saved.json`, await saved());
+            expectSame(await difference(png, renderNatively(`${folder}/saved.json`)), name);
+        }
+    },
+    'the copied C compiles, and draws the same': async () => {
+        await startFrom('portal');
+        await page.click('#add-curve');
+        await page.click('#add-line');
+        await page.click('#copy-c');
+        await page.waitForFunction(() => /C code/.test(document.getElementById('message-text').textContent));
+        writeFileSync(`${folder}/copied.h`, await page.evaluate(() => navigator.clipboard.readText()));
+        const scene = await savedScene(), { points, lines, tori, curves, paths, ...rest } = scene;
+        writeFileSync(`${folder}/saved.json`, JSON.stringify(scene));
+        writeFileSync(`${folder}/rest.json`, JSON.stringify(rest));
+        const libraries = execFileSync('sh', ['-c', 'pkg-config --libs jansson egl; pkg-config --libs osmesa || true'], { encoding: 'utf8', stdio: ['ignore', 'pipe', 'ignore'] }).split(/\s+/).filter(Boolean);
+        execFileSync('cc', ['-std=c11', '-Wall', '-Wextra', '-Wpedantic', '-Werror', '-DEW_STATIC', '-Isrc', '-Idemo/support', `-I${folder}`, 'tests/web/copied_c.c', '-o', `${folder}/copied_c`,
+            `${native}/demo/support/libew_demo_support.a`, `${native}/demo/support/libew_contexts.a`, `${native}/src/libenergywave.a`, ...libraries, '-lm'], { stdio: 'inherit' });
+        execFileSync(`${folder}/copied_c`, [`${folder}/rest.json`, `${folder}/copied.png`]);
+        const { largest, beyond } = await difference(readFileSync(`${folder}/copied.png`), renderNatively(`${folder}/saved.json`));
+        expect(largest === 0 && beyond === 0, `the copied C is ${largest}/255 off`);
+    },
+    'a link holds the scene': async () => {
+        await startFrom('bolt');
+        await page.click('#copy-link');
+        await page.waitForFunction(() => /link/.test(document.getElementById('message-text').textContent));
+        const link = await page.evaluate(() => navigator.clipboard.readText()), scene = await savedScene();
+        await startFrom('empty');
+        await page.goto(link);
+        await page.waitForFunction(() => document.querySelectorAll('#parts .part').length > 2);
+        expect(JSON.stringify(await savedScene()) === JSON.stringify(scene), 'the link holds another scene');
+        await page.goto(address);
+        await rests();
+    },
+    'broken, foreign, huge and hostile files and links change nothing and say where they are wrong': async () => {
+        await startFrom('empty');
+        const before = JSON.stringify(await savedScene());
+        const camera = '"camera": { "eye": [0, 0, 8], "target": [0, 0, 0] }';
+        const bad = {
+            'empty.json': ['', /line 1/], 'broken.json': ['{ "camera": ', /line 1/], 'picture.png': ['\x89PNG\r\n\x1a\n\0\0', /./], 'list.json': ['[1, 2]', /object/],
+            'deep.json': [`${'['.repeat(1e5)}`, /line 1/], 'huge.json': [' '.repeat(5 << 20), /larger/],
+            'prototype.json': [`{ ${camera}, "__proto__": { "polluted": 1 } }`, /__proto__/],
+            'html.json': [`{ ${camera}, "points": [{ "name": "<img src=x onerror=alert(1)>", "position": [0, 0] }] }`, /points\[0\]\.position/],
+            'reach.json': [`{ ${camera}, "paths": [{ "points": [[0, 0, 0], [1, 0, 0]], "core": 0.5, "reach": 0.1 }] }`, /paths\[0\]\.reach/],
+            'many.json': [`{ ${camera}, "points": [${Array(32700).fill('{"position":[0,0,0],"reach":1}').join()}] }`, /./],
+        };
+        for (const [name, [text, where]] of Object.entries(bad)) {
+            await page.evaluate(() => document.getElementById('close-message').click());
+            await openFile({ name, mimeType: 'application/json', buffer: Buffer.from(text, 'latin1') });
+            await page.waitForFunction(() => !document.getElementById('message').hidden);
+            expect(where.test(await message()), `${name} is called ${(await message()).slice(0, 200)}`);
+            expect(JSON.stringify(await savedScene()) === before, `${name} changed the scene`);
+        }
+        for (const code of ['!!', 'AAAA', 'A'.repeat(1e5), '']) {
+            await page.evaluate(() => document.getElementById('close-message').click());
+            await page.evaluate((hash) => (location.hash = hash), `#scene=${code}`);
+            await page.waitForFunction(() => !document.getElementById('message').hidden);
+            expect(JSON.stringify(await savedScene()) === before, `the link ${code.slice(0, 10)} changed the scene`);
+        }
+        await page.goto(address);
+        await rests();
+    },
+    'names from files are text, in the list and in C': async () => {
+        const name = '<img src=x onerror=alert(1)> */ int x; //';
+        await openFile(asFile('named.json', JSON.stringify({ camera: { eye: [0, 0, 8], target: [0, 0, 0] }, points: [{ name, position: [0, 0, 0], reach: 1 }] })));
+        await page.waitForFunction((wanted) => [...document.querySelectorAll('#parts .part')].some((part) => part.textContent === wanted), name);
+        expect((await page.locator('#parts img').count()) === 0, 'a name became HTML');
+        await page.click('#copy-c');
+        await page.waitForFunction(() => /C code/.test(document.getElementById('message-text').textContent));
+        const code = await page.evaluate(() => navigator.clipboard.readText());
+        expect(!code.includes('int x;'), 'a name became C');
+    },
+    'a lost context comes back': async () => {
+        await startFrom('empty');
+        await page.evaluate(() => document.getElementById('canvas').getContext('webgl2').getExtension('WEBGL_lose_context').loseContext());
+        await page.waitForFunction(() => !document.getElementById('loading').hidden);
+        await rests();
+        expect((await savedScene()).opaque.length === 2, 'the scene is gone');
+        faults.length = 0; // the browser's own warning of the loss
+    },
+    'split screen and maps': async () => {
+        await startFrom('beam-struggle');
+        await page.evaluate(() => (document.getElementById('how-section').open = true));
+        await page.check('#split');
+        await rests();
+        expect(await page.isVisible('#split-line'), 'nothing is split');
+        await look('split');
+        await page.uncheck('#split');
+        await page.selectOption('#map', '1');
+        await rests();
+        await page.waitForFunction(() => /evaluations a pixel/.test(document.getElementById('map-text').textContent));
+        await look('cost');
+        await page.selectOption('#map', '0');
+        await rests();
+    },
+    'text has the contrast of WCAG AA': async () => {
+        await page.locator('#parts .part').first().click();
+        await page.evaluate(() => document.querySelectorAll('details').forEach((details) => (details.open = true)));
+        const poor = await page.evaluate(() => {
+            const channels = (color) => color.match(/[\d.]+/g).map(Number);
+            const linear = (x) => (x / 255 <= 0.04045 ? x / 255 / 12.92 : ((x / 255 + 0.055) / 1.055) ** 2.4);
+            const luminance = ([r, g, b]) => 0.2126 * linear(r) + 0.7152 * linear(g) + 0.0722 * linear(b);
+            const ground = (element) => {
+                for (let one = element; one; one = one.parentElement) {
+                    const color = channels(getComputedStyle(one).backgroundColor);
+                    if (color.length === 3 || color[3] > 0.99) return color;
+                }
+                return [0, 0, 0];
+            };
+            return [...document.querySelectorAll('#panel *')].filter((element) => !element.disabled && element.checkVisibility() && [...element.childNodes].some((node) => node.nodeType === 3 && node.data.trim())).map((element) => {
+                const [a, b] = [luminance(channels(getComputedStyle(element).color)), luminance(ground(element))].sort((x, y) => y - x);
+                return [element.textContent.trim().slice(0, 30), (a + 0.05) / (b + 0.05)];
+            }).filter(([, ratio]) => ratio < 4.5);
+        });
+        expect(poor.length === 0, `too little contrast: ${JSON.stringify(poor)}`);
+    },
+    'nothing comes from elsewhere, and nothing complains': async () => {
+        const foreign = requests.filter((url) => !url.startsWith(address) && !/^(data|blob):/.test(url));
+        expect(foreign.length === 0, `asked for ${foreign}`);
+        expect(faults.length === 0, faults.join('\n'));
+    },
+};
+
+let failures = 0;
+for (const [name, test] of Object.entries(tests)) {
+    const start = performance.now();
+    try {
+        await test();
+        console.log(`ok   ${name} (${Math.round(performance.now() - start)} ms)`);
+    } catch (error) {
+        failures++;
+        await look('failed').catch(() => {});
+        console.log(`FAIL ${name}: ${error.message}`);
+    }
+}
+await browser.close();
+server.close();
+process.exit(failures > 0 ? 1 : 0);
