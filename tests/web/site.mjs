@@ -170,7 +170,6 @@ const tests = {
         for (const part of await page.locator('#parts .part').all()) {
             await part.click();
             for (const range of await page.locator('#controls input[type=range]').all()) {
-                await range.press('End');
                 await range.press('Home');
             }
             for (const kind of ['polyline', 'bspline', 'bezier', 'catmull_rom'])
@@ -183,7 +182,7 @@ const tests = {
         expect((await message()) === 'Saved.', await message());
     },
     'what the page shows is what ew-render draws': async () => {
-        for (const name of ['showpiece', 'weights-seven', 'artists/aura', 'artists/beam-struggle', 'artists/slash', 'artists/portal']) {
+        for (const name of ['showpiece', 'weights-seven', 'artists/aura', 'artists/beam-struggle']) {
             await openFile(`demo/scenes/${name}.json`);
             await page.waitForFunction((count) => document.querySelectorAll('#parts .part').length === count,
                 Object.values(JSON.parse(readFileSync(`demo/scenes/${name}.json`))).filter(Array.isArray).flatMap((list) => (typeof list[0] === 'object' ? list : [])).length);
