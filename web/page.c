@@ -63,7 +63,7 @@ EMSCRIPTEN_KEEPALIVE const char *page_show_file(const char *text, size_t length)
     page.message[0] = '\0';
     if (!scene_parse(text, length, "scene", &scene, page.message, sizeof page.message)) return page.message;
     char fault[300];
-    if (!display_check(page.display, &scene.sources, fault, sizeof fault)) {
+    if (!display_set_sources(page.display, &scene.sources, fault, sizeof fault)) {
         message_write(page.message, sizeof page.message, "scene: %s", fault);
         scene_free(&scene);
         return page.message;
@@ -82,12 +82,18 @@ EMSCRIPTEN_KEEPALIVE const char *page_write(void)
 }
 
 EMSCRIPTEN_KEEPALIVE void page_set_camera(double eye_x, double eye_y, double eye_z, double target_x, double target_y,
-                                          double target_z, double up_x, double up_y, double up_z)
+                                          double target_z, double up_x, double up_y, double up_z, double height)
 {
     scene_camera *camera = &shown_scene()->camera;
     memcpy(camera->eye, (double[3]){eye_x, eye_y, eye_z}, sizeof camera->eye);
     memcpy(camera->target, (double[3]){target_x, target_y, target_z}, sizeof camera->target);
     memcpy(camera->up, (double[3]){up_x, up_y, up_z}, sizeof camera->up);
+    camera->height = height;
+}
+
+EMSCRIPTEN_KEEPALIVE void page_fill_pulse(double frame, double *weights, size_t count)
+{
+    ew_fill_pulse_weights(frame, weights, count);
 }
 
 EMSCRIPTEN_KEEPALIVE void page_set_integrator(bool is_right, int integrator, int quality, int divisions)
@@ -143,7 +149,7 @@ EMSCRIPTEN_KEEPALIVE const unsigned char *page_read(void)
     display_size(page.display, &width, &height);
     free(page.pixels);
     page.pixels = malloc((size_t)width * (size_t)height * 4);
-    if (page.pixels) display_read_rgba(page.display, page.pixels);
+    if (page.pixels) display_read(page.display, 4, page.pixels);
     return page.pixels;
 }
 

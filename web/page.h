@@ -12,6 +12,7 @@
 /* Creates the context on the page's canvas, and shows the court. */
 const char *page_start(void);
 
+/* What draws, as GL calls it. */
 const char *page_renderer(void);
 
 /* Shows the court as it is at `seconds`. */
@@ -24,9 +25,12 @@ const char *page_show_file(const char *text, size_t length);
  * exhausted. */
 const char *page_write(void);
 
-/* Looks from another place, until something else is shown. */
+/* Looks from another place, until something else is shown. `height` is what an orthographic camera sees of it. */
 void page_set_camera(double eye_x, double eye_y, double eye_z, double target_x, double target_y, double target_z, double up_x,
-                     double up_y, double up_z);
+                     double up_y, double up_z, double height);
+
+/* The weights of a travelling pulse: see ew_fill_pulse_weights. */
+void page_fill_pulse(double frame, double *weights, size_t count);
 
 /* How the picture, or its right half, is integrated: `quality` and `divisions` matter to one integrator each. */
 void page_set_integrator(bool is_right, int integrator, int quality, int divisions);

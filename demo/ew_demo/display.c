@@ -200,7 +200,7 @@ static bool draw_file_opaque(const demo_display *display, const display_view *vi
     return ok;
 }
 
-bool display_check(demo_display *display, const ew_sources_desc *sources, char *message, size_t size)
+bool display_set_sources(demo_display *display, const ew_sources_desc *sources, char *message, size_t size)
 {
     ew_error error;
     if (!ew_set_sources(display->effect, sources, &error)) return true;
@@ -260,16 +260,11 @@ void display_size(const demo_display *display, int *width, int *height)
     *height = display->height;
 }
 
-void display_read(const demo_display *display, unsigned char *srgb)
+void display_read(const demo_display *display, int channels, unsigned char *srgb)
 {
     const pixel_rectangle whole = {0, 0, display->width, display->height};
-    texture_read(display->gl, display->picture_framebuffer, whole, GL_RGB, GL_UNSIGNED_BYTE, srgb);
-}
-
-void display_read_rgba(const demo_display *display, unsigned char *srgb)
-{
-    const pixel_rectangle whole = {0, 0, display->width, display->height};
-    texture_read(display->gl, display->picture_framebuffer, whole, GL_RGBA, GL_UNSIGNED_BYTE, srgb);
+    GLenum format = channels == 4 ? GL_RGBA : GL_RGB;
+    texture_read(display->gl, display->picture_framebuffer, whole, format, GL_UNSIGNED_BYTE, srgb);
 }
 
 void display_destroy(demo_display *display)

@@ -44,9 +44,9 @@ typedef struct display_statistics {
  * failure. */
 demo_display *display_create(const gl_functions *gl, const ew_effect_desc *desc, char *message, size_t size);
 
-/* Whether the sources can be drawn: they may be too many, or bend too much. If not, `message` says what to mend, and nothing
- * changes. */
-bool display_check(demo_display *display, const ew_sources_desc *sources, char *message, size_t size);
+/* Gives the effect the sources that will be drawn. It may refuse some that a scene file holds: too many, or bent too much. Then
+ * `message` says what to mend, and nothing changes. */
+bool display_set_sources(demo_display *display, const ew_sources_desc *sources, char *message, size_t size);
 
 /* Takes one step of compiling what the view needs, as ew_prepare_step does. Returns how many steps are left, 0 if display_draw
  * need not wait, or -1 on failure, which display_draw reports. */
@@ -60,11 +60,8 @@ GLuint display_framebuffer(const demo_display *display);
 
 void display_size(const demo_display *display, int *width, int *height);
 
-/* Reads the last picture: 3 bytes a pixel, rows from the bottom up. */
-void display_read(const demo_display *display, unsigned char *srgb);
-
-/* The same with 4 bytes a pixel, the fourth of which is 255. */
-void display_read_rgba(const demo_display *display, unsigned char *srgb);
+/* Reads the last picture: 3 or 4 bytes a pixel, the fourth of which is 255, and rows from the bottom up. OpenGL ES reads 4. */
+void display_read(const demo_display *display, int channels, unsigned char *srgb);
 
 display_statistics display_statistics_of(const demo_display *display, int half);
 

@@ -53,7 +53,7 @@ static bool draw_frames(const demo_options *options, demo_display *display, demo
         show_progress(i, total);
         animation_set_time(animation, (double)frame / options->frames_per_second);
         if (!display_draw(display, &view, message, size)) return false;
-        display_read(display, srgb);
+        display_read(display, 3, srgb);
         if (options->output && !write_picture(options, frame, srgb, message, size)) return false;
         if (video && !video_write(video, srgb)) return false;
     }

@@ -26,7 +26,7 @@ static void write_screenshot(demo_window *window)
         snprintf(name, sizeof name, "ew-demo-%03d.png", ++number);
     while (file_exists(name));
     image_pixels picture = {.width = width, .height = height, .channels = 3, .srgb = srgb};
-    if (srgb) display_read(window->display, srgb);
+    if (srgb) display_read(window->display, 3, srgb);
     if (!srgb)
         message_write(message, sizeof message, "the picture does not fit into memory; make the window smaller");
     else if (image_write(name, &picture, message, sizeof message))

@@ -1,5 +1,6 @@
 // A scene as C, which compiles against energywave.h as it is.
 import { polynomialOf } from './kinds.mjs';
+import { sourceColor } from './scene.mjs';
 
 const pathKinds = { polyline: 'EW_PATH_POLYLINE', bspline: 'EW_PATH_BSPLINE', bezier: 'EW_PATH_BEZIER', catmull_rom: 'EW_PATH_CATMULL_ROM' };
 const outputs = { lerp: 'EW_OUTPUT_LERP', add: 'EW_OUTPUT_ADD', soft: 'EW_OUTPUT_SOFT' };
@@ -16,7 +17,7 @@ function light(source, scene) {
     const members = [];
     if (source.brightness === undefined) members.push(`.coefficient = ${number(source.coefficient ?? 1)}`);
     else members.push(`.brightness = ${number(source.brightness)}`);
-    members.push(`.color = ${list(source.color ?? scene.color ?? [0.2, 0.5, 1])}`);
+    members.push(`.color = ${list(sourceColor(scene, source))}`);
     for (const key of ['core', 'reach', 'sharpness']) if (source[key] !== undefined) members.push(`.${key} = ${number(source[key])}`);
     return members;
 }

@@ -15,7 +15,8 @@ export class Camera {
 
     // The members that moving changes, as a scene file has them.
     get place() {
-        return { eye: this.eye, target: this.target, up: this.up };
+        const { eye, target, up, height } = this;
+        return this.isOrthographic ? { eye, target, up, height } : { eye, target, up };
     }
 
     get distance() {

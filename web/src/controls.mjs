@@ -75,6 +75,9 @@ export function vector({ id, label, get, set }) {
 const encode = (x) => (x <= 0.0031308 ? 12.92 * x : 1.055 * x ** (1 / 2.4) - 0.055);
 const decode = (x) => (x <= 0.04045 ? x / 12.92 : ((x + 0.055) / 1.055) ** 2.4);
 
+// A linear colour as browsers write it, in sRGB; what is brighter than white is cut.
+export const hexOf = (color) => `#${color.map((x) => Math.round(255 * encode(Math.min(x, 1))).toString(16).padStart(2, '0')).join('')}`;
+
 // A colour as browsers choose it, in sRGB up to white. What is brighter, in linear RGB, keeps its largest component.
 export function color({ id, label, get, set }) {
     const input = element('input', { type: 'color', id });
@@ -83,8 +86,7 @@ export function color({ id, label, get, set }) {
     input.addEventListener('input', () => set(chosen(), false));
     input.addEventListener('change', () => set(chosen(), true));
     const refresh = () => {
-        const hex = get().map((x) => Math.round(255 * encode(Math.min(x / scaleOf(), 1))).toString(16).padStart(2, '0')).join('');
-        if (document.activeElement !== input) input.value = `#${hex}`;
+        if (document.activeElement !== input) input.value = hexOf(get().map((x) => x / scaleOf()));
     };
     return { element: row(id, label, input), refresh };
 }

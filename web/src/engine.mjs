@@ -35,7 +35,7 @@ export async function createEngine(canvas) {
             }
         },
         write: () => module.UTF8ToString(module._page_write()),
-        setCamera: ({ eye, target, up }) => module._page_set_camera(...eye, ...target, ...up),
+        setCamera: ({ eye, target, up, height }) => module._page_set_camera(...eye, ...target, ...up, height),
         setIntegrator: (isRight, { integrator, quality, divisions }) =>
             module._page_set_integrator(isRight, integrator, quality, divisions),
         setView: (mode, split) => module._page_set_view(mode, split),
@@ -52,6 +52,15 @@ export async function createEngine(canvas) {
                 image.data.set(module.HEAPU8.subarray(start, start + 4 * width), 4 * width * row);
             }
             return image;
+        },
+        // The weights of a pulse at a frame.
+        pulse(frame, count) {
+            const memory = module._malloc(8 * count);
+            if (!memory) throw new Error('The weights do not fit into memory.');
+            module._page_fill_pulse(frame, memory, count);
+            const weights = [...module.HEAPF64.subarray(memory / 8, memory / 8 + count)];
+            module._free(memory);
+            return weights;
         },
         statistic: (half, which) => module._page_statistic(half, which),
     };

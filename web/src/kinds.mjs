@@ -65,7 +65,7 @@ function catmullRom(points, closed) {
     return line;
 }
 
-export function pathLine({ kind = 'polyline', points, closed = false }) {
+function pathLine({ kind = 'polyline', points, closed = false }) {
     if (kind === 'bspline' && points.length > 2) return bspline(points, closed);
     if (kind === 'catmull_rom' && points.length > 1) return catmullRom(points, closed);
     if (kind === 'bezier') {

@@ -1,7 +1,7 @@
 // The list of lights and shapes.
-import { element } from './controls.mjs';
+import { element, hexOf } from './controls.mjs';
 import { isSource } from './kinds.mjs';
-import { keysOf, listOf, nameOf, partOf } from './scene.mjs';
+import { colorOf, keysOf, listOf, nameOf } from './scene.mjs';
 
 export class PartList {
     #shown = '';
@@ -14,7 +14,7 @@ export class PartList {
     draw() {
         const { history, selection } = this.app, document = history.current;
         const rows = keysOf(document).map((key) => ({ key, name: nameOf(document, key), isHidden: document.hidden.includes(key),
-            color: partOf(document, key).color ?? document.scene.color ?? [0.2, 0.5, 1] }));
+            color: colorOf(document, key) }));
         const shown = JSON.stringify([rows, selection]);
         if (shown === this.#shown) return;
         this.#shown = shown;
@@ -28,7 +28,7 @@ export class PartList {
     #row({ key, name, isHidden, color }) {
         const swatch = element('i', { class: isSource(listOf(key)) ? 'swatch' : 'swatch solid', 'aria-hidden': 'true' });
         const most = isSource(listOf(key)) ? Math.max(...color, 1e-9) : 1; // of a light, only the hue
-        swatch.style.background = `rgb(${color.map((x) => Math.round(255 * Math.min(1, x / most) ** (1 / 2.2))).join(' ')})`;
+        swatch.style.background = hexOf(color.map((x) => x / most));
         const choose = element('button', { type: 'button', class: isHidden ? 'part hidden' : 'part', 'data-focus': `part ${key}`,
             'aria-pressed': String(key === this.app.selection), onclick: () => this.app.select(key) }, swatch, element('span', {}, name));
         const eye = element('button', { type: 'button', class: 'eye', 'data-focus': `eye ${key}`, 'aria-pressed': String(isHidden),

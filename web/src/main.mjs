@@ -26,7 +26,6 @@ const courtBegins = 3.4; // seconds: when much is going on
 
 let engine, view, overlay, panel, partList, lookList = [], howList = [];
 let seconds = courtBegins, isPlaying = true, isCourt = true, hasOwnCamera = false, lastFrame = 0;
-const lastSent = { document: undefined };
 
 function say(text, isGood = false) {
     at('message-text').textContent = text;
@@ -53,6 +52,7 @@ const app = {
     selection: undefined,
     selectedPoint: undefined,
     axis: 'view',
+    pulse: (frame, count) => engine.pulse(frame, count),
     select(key, point) {
         app.selection = key;
         app.selectedPoint = point;
@@ -85,17 +85,12 @@ addEventListener('pagehide', () => !isCourt && store(app.history.current, app.ca
 
 // Shows another scene; throws, and changes nothing, where it is wrong. Undo brings the last one back.
 function show(scene, hidden = [], camera = undefined) {
-    const wasCourt = isCourt, before = { ...app.camera };
     const next = { scene: structuredClone(scene), hidden };
     engine.showFile(scenes.shownText(next, camera));
     app.camera.set({ ...scene.camera, ...camera });
-    if (!app.history.commit(next)) {
-        Object.assign(app.camera, before);
-        isCourt = wasCourt;
-        throw new Error(at('message-text').textContent);
-    }
-    isCourt = false;
     app.selection = app.selectedPoint = undefined;
+    isCourt = false;
+    app.history.commit(next);
     buildLook();
     refresh();
     say('');
@@ -121,7 +116,7 @@ function resend() {
 function editMoment() {
     if (!isCourt) return;
     engine.showCourt(seconds);
-    if (hasOwnCamera) engine.setCamera(app.camera.place);
+    if (hasOwnCamera) engine.setCamera(app.camera);
     show(sceneOfCourt(engine.write()));
     stage.focus({ preventScroll: true });
 }
@@ -148,9 +143,8 @@ function sync(now) {
     if (isCourt) {
         if (isPlaying) seconds += elapsed;
         engine.showCourt(seconds);
-        if (hasOwnCamera) engine.setCamera(app.camera.place);
-    } else if (app.camera.isOrthographic) accepts(app.history.current);
-    else engine.setCamera(app.camera.place);
+        if (hasOwnCamera) engine.setCamera(app.camera);
+    } else engine.setCamera(app.camera);
     return flies || (isCourt && isPlaying);
 }
 

@@ -2,7 +2,7 @@
 import { button, checkbox, color, element, select, slider, text, vector } from './controls.mjs';
 import { hasWeights, isSource } from './kinds.mjs';
 import { addScaled, mix, subtract } from './vector.mjs';
-import { listOf, nameOf, partOf, withPart } from './scene.mjs';
+import { colorOf, listOf, nameOf, partOf, withPart } from './scene.mjs';
 import { weightsEditor } from './weights.mjs';
 
 // Controls that a change of this would make others. Rebuilding on each change would take the focus from what is dragged.
@@ -116,17 +116,16 @@ function setShape(part, shape) {
 function controlsOf(app, key) {
     const list = listOf(key), get = () => partOf(app.history.current, key), part = get();
     const change = (make, isFinal) => app.history[isFinal ? 'commit' : 'preview'](withPart(app.history.current, key, make));
-    const fallback = isSource(list) ? app.history.current.scene.color ?? [0.2, 0.5, 1] : [0.8, 0.8, 0.8];
     const controls = [
         text({ id: 'name', label: 'Name', placeholder: nameOf(app.history.current, key), get: () => get().name ?? '', set: (name) => change((changed) => {
             if (name) changed.name = name;
             else delete changed.name;
         }, true) }),
-        color({ id: 'color', label: 'Colour', get: () => get().color ?? fallback, set: (value, isFinal) => change((changed) => (changed.color = value), isFinal) })];
+        color({ id: 'color', label: 'Colour', get: () => colorOf(app.history.current, key), set: (value, isFinal) => change((changed) => (changed.color = value), isFinal) })];
     if (isSource(list)) controls.push(...lightControls(app, part, get, change));
     controls.push(...shapeControls(app, part, list, get, change));
     if (hasWeights(list) && part.weights)
-        controls.push(weightsEditor({ get: () => get().weights, set: (weights, isFinal) => change((changed) => {
+        controls.push(weightsEditor({ pulse: app.pulse, get: () => get().weights, set: (weights, isFinal) => change((changed) => {
             if (weights) changed.weights = weights;
             else delete changed.weights;
         }, isFinal) }));

@@ -1,6 +1,6 @@
 // What is under the pointer: the source whose light there is largest, or else the nearest opaque shape.
 import { kinds, isSource } from './kinds.mjs';
-import { keyOf, lists } from './scene.mjs';
+import { keyOf, lists, sourceColor } from './scene.mjs';
 import { add, addScaled, dot, length, normalize, subtract } from './vector.mjs';
 
 // Less light than this, relative to what is shown as white, is not what somebody clicks on.
@@ -22,7 +22,7 @@ function lightAt(source, scene, distance) {
     const spread = Math.log(reach / core);
     const brightness = source.brightness ?? 2 * (source.coefficient ?? 1) * spread;
     const share = Math.log(reach / Math.min(Math.max(distance, core), reach)) / spread;
-    return brightness * Math.max(...(source.color ?? scene.color ?? [0.2, 0.5, 1])) * share ** (source.sharpness ?? 1);
+    return brightness * Math.max(...sourceColor(scene, source)) * share ** (source.sharpness ?? 1);
 }
 
 // The distance along the unit ray at which it meets a shape; infinite where it does not.

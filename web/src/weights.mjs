@@ -5,16 +5,11 @@ const xmlns = 'http://www.w3.org/2000/svg';
 const width = 260, height = 90, margin = 8;
 const most = 2; // the weight at the top
 
-// Weights of a pulse at a frame, as ew_fill_pulse_weights has them: thesis (5.1).
-export const pulse = (frame, count) => Array.from({ length: count }, (_, i) => {
-    const theta = ((frame - 7 * i) / 25) * Math.PI;
-    return Number(Math.min(1, Math.max(0, (0.8 - Math.cos(theta >= 0 && theta <= 2 * Math.PI ? theta : 0)) / 1.5)).toPrecision(6));
-});
-
 const xAt = (i, count) => margin + ((width - 2 * margin) * (count > 1 ? i / (count - 1) : 0.5));
 const yAt = (weight) => height - margin - (height - 2 * margin) * Math.min(weight / most, 1);
 
-export function weightsEditor({ get, set }) {
+// `pulse(frame, count)` returns the weights of a pulse.
+export function weightsEditor({ get, set, pulse }) {
     const svg = document.createElementNS(xmlns, 'svg');
     svg.setAttribute('viewBox', `0 0 ${width} ${height}`);
     svg.setAttribute('class', 'weights');
@@ -57,7 +52,7 @@ export function weightsEditor({ get, set }) {
         id: 'pulse', label: 'Pulse at frame', min: 0, max: 50 + 7 * Math.max(get().length - 1, 1), get: () => frame,
         set(value, isFinal) {
             frame = value;
-            set(pulse(value, Math.max(get().length, 3)), isFinal);
+            set(pulse(value, Math.max(get().length, 3)).map((weight) => Number(weight.toPrecision(6))), isFinal);
         } });
     const refresh = () => {
         const weights = get();
