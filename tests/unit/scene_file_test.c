@@ -1,6 +1,7 @@
 /* The scene file: what it says arrives, and what is wrong with it is named with its place. */
 #include "check.h"
 #include "scene_file.h"
+#include "scene_write.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -20,7 +21,7 @@ static const char full_scene[] =
     "  \"interval\": { \"start\": 3, \"end\": 15 }, \"decay\": { \"alpha\": 2, \"beta\": 0.5 }, \"epsilon\": 0.01,\n"
     "  \"core_pixels\": 2, \"exposure\": 3,\n"
     "  \"background\": [0.1, 0.2, 0.3], \"color\": [0.4, 0.5, 0.6], \"composite\": \"add\",\n"
-    "  \"points\": [{ \"position\": [100000.0000001, 2, 3], \"coefficient\": 4, \"color\": [5, 6, 7] }],\n"
+    "  \"points\": [{ \"name\": \"orb\", \"position\": [100000.0000001, 2, 3], \"coefficient\": 4, \"color\": [5, 6, 7] }],\n"
     "  \"lines\": [{ \"position\": [1, 2, 3], \"direction\": [0, 0, 5], \"core\": 0.02 }],\n"
     "  \"tori\": [{ \"center\": [1, 2, 3], \"axis\": [0, 2, 0], \"radius\": 0.9, \"coefficient\": 5.1 }],\n"
     "  \"curves\": [{ \"control_points\": [[0, 0, 0], [1, 2, 0], [2, 0, 0]], \"weights\": [1, 0.2, 0.6] },\n"
@@ -29,7 +30,8 @@ static const char full_scene[] =
     " \"sharpness\": 2, \"color\": [1, 2, 3] },\n"
     "    { \"kind\": \"catmull_rom\", \"closed\": true, \"points\": [[0, 0, 0], [1, 0, 0], [1, 1, 0]], \"weights\": [1, 2] "
     "}],\n"
-    "  \"opaque\": [{ \"shape\": \"box\", \"min\": [0, 1, 2], \"max\": [3, 4, 5], \"color\": [0.1, 0.2, 0.3] },\n"
+    "  \"opaque\": [{ \"shape\": \"box\", \"name\": \"wall\", \"min\": [0, 1, 2], \"max\": [3, 4, 5], \"color\": [0.1, 0.2, "
+    "0.3] },\n"
     "    { \"shape\": \"plane\", \"point\": [0, -1, 0], \"normal\": [0, 3, 0] },\n"
     "    { \"shape\": \"sphere\", \"center\": [6, 7, 8], \"radius\": 2 }] }\n";
 
@@ -137,16 +139,54 @@ static void check_opaque_shapes(const demo_scene *s)
     check_close(s->opaque[2].shape.sphere.radius, 2, 0);
 }
 
+static void check_full_scene(const demo_scene *s)
+{
+    check_settings(s);
+    check_sources(s);
+    check_paths(s);
+    check_opaque_shapes(s);
+}
+
 static void everything_in_the_file_arrives(void **state)
 {
     (void)state;
     demo_scene s;
     char message[256] = "";
     if (!parse(full_scene, &s, message)) fail_msg("%s", message);
-    check_settings(&s);
-    check_sources(&s);
-    check_paths(&s);
-    check_opaque_shapes(&s);
+    check_full_scene(&s);
+    scene_free(&s);
+}
+
+/* Reads a scene, writes it, and reads what was written. */
+static void rewrite(const char *text, demo_scene *again)
+{
+    demo_scene s;
+    char message[256] = "";
+    if (!parse(text, &s, message)) fail_msg("%s", message);
+    char *written = scene_write(&s);
+    assert_non_null(written);
+    scene_free(&s);
+    if (!parse(written, again, message)) fail_msg("%s in:\n%s", message, written);
+    free(written);
+}
+
+static void what_is_written_is_the_same_scene(void **state)
+{
+    (void)state;
+    demo_scene s;
+    rewrite(full_scene, &s);
+    check_full_scene(&s);
+    scene_free(&s);
+
+    rewrite("{ \"camera\": { \"eye\": [0, 0, 8], \"target\": [0, 0, 0], \"projection\": \"orthographic\", \"height\": 3.5 },"
+            " \"points\": [{ \"position\": [0, 0, 0], \"reach\": 2, \"brightness\": 0 }], \"composite\": \"soft\" }",
+            &s);
+    assert_true(scene_is_world(&s));
+    assert_true(s.camera.orthographic);
+    check_close(s.camera.height, 3.5, 0);
+    check_close(s.sources.points[0].coefficient, 0, 0);
+    check_close(s.sources.points[0].reach, 2, 0);
+    assert_int_equal(s.composite, EW_OUTPUT_SOFT);
     scene_free(&s);
 }
 
@@ -479,6 +519,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(everything_in_the_file_arrives),
+        cmocka_unit_test(what_is_written_is_the_same_scene),
         cmocka_unit_test(what_the_file_leaves_out_has_its_default),
         cmocka_unit_test(an_interval_asks_for_the_papers_integral),
         cmocka_unit_test(what_a_source_leaves_out_has_its_default),
