@@ -1,4 +1,4 @@
-// Serves a folder of static files to this machine.
+// Serves static files to this machine.
 // Usage: serve.mjs FOLDER
 import { createReadStream } from 'node:fs';
 import { stat } from 'node:fs/promises';
@@ -8,11 +8,14 @@ import { extname, join, normalize } from 'node:path';
 const types = { '.html': 'text/html', '.css': 'text/css', '.js': 'text/javascript', '.mjs': 'text/javascript', '.wasm': 'application/wasm', '.json': 'application/json' };
 const firstPort = 8017, lastPort = 8099;
 
-export function serve(folder, port) {
+// The file of a folder that a path means.
+export const inFolder = (folder) => (path) => join(folder, normalize(path.endsWith('/') ? `${path}index.html` : path));
+
+// `fileOf` finds the file of a path that is asked for.
+export function serve(fileOf, port) {
     const server = createServer(async (request, response) => {
         try {
-            const path = decodeURIComponent(new URL(request.url, 'http://127.0.0.1').pathname);
-            const file = join(folder, normalize(path.endsWith('/') ? `${path}index.html` : path));
+            const file = fileOf(decodeURIComponent(new URL(request.url, 'http://127.0.0.1').pathname));
             if (!(await stat(file)).isFile()) throw new Error('no file');
             response.writeHead(200, { 'Content-Type': types[extname(file)] ?? 'application/octet-stream', 'Cache-Control': 'no-cache' });
             createReadStream(file).pipe(response);
@@ -26,7 +29,7 @@ export function serve(folder, port) {
 async function serveAnywhere(folder) {
     for (let port = firstPort; port <= lastPort; port++) {
         try {
-            return await serve(folder, port);
+            return await serve(inFolder(folder), port);
         } catch (error) {
             if (error.code !== 'EADDRINUSE') throw error;
         }

@@ -1,7 +1,6 @@
 // Chromium with a page, served from this machine.
 import { chromium } from 'playwright-core';
-import { createServer } from 'node:http';
-import { readFile } from 'node:fs/promises';
+import { serve } from './serve.mjs';
 
 const rasterisers = {
     swiftshader: ['--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader'],
@@ -10,19 +9,6 @@ const rasterisers = {
 
 // What the page is to be drawn by, as the browser calls it.
 const renderers = { swiftshader: /SwiftShader/, llvmpipe: /llvmpipe/ };
-
-const types = { html: 'text/html', js: 'text/javascript', mjs: 'text/javascript', wasm: 'application/wasm' };
-
-// `files` maps names to paths.
-async function serve(files) {
-    const server = createServer(async (request, response) => {
-        const path = files[request.url.slice(1)];
-        response.writeHead(path ? 200 : 404, { 'Content-Type': types[request.url.split('.').pop()] ?? 'application/octet-stream' });
-        response.end(path && (await readFile(path)));
-    });
-    await new Promise((resolve) => server.listen(0, '127.0.0.1', resolve));
-    return server;
-}
 
 function renderer() {
     const gl = document.createElement('canvas').getContext('webgl2');
@@ -50,9 +36,9 @@ export async function launch(rasteriser, folder, address, options = {}) {
     throw new Error(`Chromium draws by ${found} rather than by ${rasteriser}`);
 }
 
-// Opens page.html, served with `files`.
+// Opens page.html. `files` maps names to paths.
 export async function open(rasteriser, folder, files) {
-    const server = await serve(files);
+    const server = await serve((path) => files[path.slice(1)], 0);
     const { page, browser } = await launch(rasteriser, folder, `http://127.0.0.1:${server.address().port}/page.html`);
     const close = async () => {
         await browser.close();

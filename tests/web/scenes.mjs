@@ -5,6 +5,7 @@ import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { basename, dirname } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { open } from './browser.mjs';
+import { darkScene } from './dark.mjs';
 
 const [scenes, nativeRender, webBuild, folder] = process.argv.slice(2);
 const here = dirname(fileURLToPath(import.meta.url));
@@ -31,11 +32,8 @@ function addScene(name, path) {
     execFileSync(nativeRender, [path, '-o', files[`${name}.png`], '--resolution', 'full', ...size]);
 }
 for (const name of names) {
-    const { points, lines, tori, curves, paths, ...dark } = JSON.parse(readFileSync(`${scenes}/${name}.json`));
-    // In colours far apart, so that no two surfaces look alike.
-    dark.opaque?.forEach((shape, i) => (shape.color = [0.618, 0.414, 0.236].map((step) => (i * step) % 1)));
     const darkPath = `${folder}/${basename(name)}-dark.json`;
-    writeFileSync(darkPath, JSON.stringify(dark));
+    writeFileSync(darkPath, JSON.stringify(darkScene(JSON.parse(readFileSync(`${scenes}/${name}.json`)))));
     addScene(`${basename(name)}-dark`, darkPath);
     addScene(basename(name), `${scenes}/${name}.json`);
 }
