@@ -12,6 +12,8 @@ static const char help[] =
     "       ew-demo [SCENE.json] --offscreen [--frames A-B] [-o NAME] [--video FILE] [option]...\n"
     "Shows energy waves in a window: a court with an orb, lightning, a beam, a ring, a spiral and a blade, or a scene file,\n"
     "which is read again whenever it is saved; docs/scene-format.md describes it. The window shows its keys.\n"
+    "A source of a scene file is selected by a click on its light. Then the mouse drags its points, and sliders set its core,\n"
+    "reach and brightness. Ctrl+Z undoes, Ctrl+Y redoes, and Ctrl+S saves the file, in which all else stays as it was.\n"
     "\n"
     "      --size WxH          of the window or the pictures, in pixels (default 1280x720)\n"
     "      --integrator NAME   adaptive, or with its largest relative error as in adaptive:1e-2,\n"

@@ -4,6 +4,7 @@
 #include "message.h"
 #include "shader.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -76,15 +77,35 @@ void overlay_begin(demo_overlay *overlay)
     overlay->quad_count = 0;
 }
 
-void overlay_box(demo_overlay *overlay, double x, double y, double width, double height, const unsigned char color[4])
+static void add_quad(demo_overlay *overlay, const double corners[4][2], const unsigned char color[4])
 {
     if (overlay->quad_count == MAX_QUADS) return;
     overlay_vertex *vertices = &overlay->vertices[4 * overlay->quad_count++];
     for (int corner = 0; corner < 4; corner++) {
-        vertices[corner].position[0] = (float)(x + (corner == 1 || corner == 2 ? width : 0));
-        vertices[corner].position[1] = (float)(y + (corner >= 2 ? height : 0));
+        vertices[corner].position[0] = (float)corners[corner][0];
+        vertices[corner].position[1] = (float)corners[corner][1];
         memcpy(vertices[corner].color, color, 4);
     }
+}
+
+void overlay_box(demo_overlay *overlay, double x, double y, double width, double height, const unsigned char color[4])
+{
+    const double corners[4][2] = {{x, y}, {x + width, y}, {x + width, y + height}, {x, y + height}};
+    add_quad(overlay, corners, color);
+}
+
+void overlay_line(demo_overlay *overlay, const double from[2], const double to[2], double thickness,
+                  const unsigned char color[4])
+{
+    double x = to[0] - from[0], y = to[1] - from[1], length = hypot(x, y);
+    if (!(length > 0)) return;
+    /* Half of the thickness, to the line's left. */
+    double left[2] = {-y * thickness / (2 * length), x * thickness / (2 * length)};
+    const double corners[4][2] = {{from[0] + left[0], from[1] + left[1]},
+                                  {to[0] + left[0], to[1] + left[1]},
+                                  {to[0] - left[0], to[1] - left[1]},
+                                  {from[0] - left[0], from[1] - left[1]}};
+    add_quad(overlay, corners, color);
 }
 
 /* stb_easy_font wants text that is not const. Replaces what its font lacks by question marks. */

@@ -1,5 +1,5 @@
 /*
- * Text and boxes over the picture.
+ * Text, boxes and lines over the picture.
  */
 #ifndef OVERLAY_H
 #define OVERLAY_H
@@ -17,11 +17,15 @@ enum { OVERLAY_LINE = 12 };
 /* Returns NULL, with a message, on failure. */
 demo_overlay *overlay_create(const gl_functions *gl, char *message, size_t size);
 
-/* Begins anew. Boxes and text are collected until overlay_draw; when there is no more room, they are left out. */
+/* Begins anew. What is drawn is collected until overlay_draw; when there is no more room, they are left out. */
 void overlay_begin(demo_overlay *overlay);
 
 /* Positions and sizes are in pixels, from the upper left corner. Colours are 8-bit sRGB and opacity. */
 void overlay_box(demo_overlay *overlay, double x, double y, double width, double height, const unsigned char color[4]);
+
+/* A straight line, `thickness` wide. */
+void overlay_line(demo_overlay *overlay, const double from[2], const double to[2], double thickness,
+                  const unsigned char color[4]);
 
 /* `text` is ASCII and may have newlines. At a scale of 1, a line is OVERLAY_LINE high. */
 void overlay_text(demo_overlay *overlay, double x, double y, double scale, const char *text, const unsigned char color[4]);

@@ -10,12 +10,13 @@
 
 /* Columns, because the font is proportional. */
 static const char *const key_columns[] = {
-    "Space\n. ,\n[ ]\nR\nWASD\nQ E\nMouse\nWheel\nC\nH",
-    "pause\nnext, previous frame\nslower, faster\nrestart\nfly (Shift: faster)\ndown, up\n"
-    "left: orbit, right: look\ncloser, farther\nthe scene's own camera\nthis list",
-    "1 2 3\n4 5 6\nShift+1-6\nTab\nM\nP\nV\nF11\nF12\nEsc",
-    "adaptive, error 1e-2, 1e-3, 1e-4\nSimpson's rule, 64, 128, 256 divisions\nthe same for the right half\n"
-    "split the picture\nmap of evaluations, of errors, none\nthis panel\nvsync\nfull screen\nscreenshot\nquit",
+    "Space\n. ,\n[ ]\nR\nWASD\nQ E\nMouse\nWheel\nC\nH\nClick\nCtrl+Z Y S",
+    ("pause\nnext, previous frame\nslower, faster\nrestart\nfly (Shift: faster)\ndown, up\n"
+     "left: orbit, right: look\ncloser, farther\nthe scene's own camera\nthis list\n"
+     "change what shines there (scene files)\nundo, redo, save"),
+    "1 2 3\n4 5 6\nShift+1-6\nTab\nM\nP\nV\nF11\nF12\nEsc\n\n",
+    ("adaptive, error 1e-2, 1e-3, 1e-4\nSimpson's rule, 64, 128, 256 divisions\nthe same for the right half\n"
+     "split the picture\nmap of evaluations, of errors, none\nthis panel\nvsync\nfull screen\nscreenshot\nquit\n\n"),
 };
 enum { KEY_COLUMNS = sizeof key_columns / sizeof *key_columns };
 
@@ -93,7 +94,7 @@ static void describe(text_lines *lines, const panel_view *view)
         add(lines, "%.1f ms per frame, %.0f fps\n", view->frame_milliseconds, 1000 / view->frame_milliseconds);
     for (int half = 0; half < (view->split ? 2 : 1); half++)
         describe_half(lines, view, half);
-    add(lines, "%s\nH: keys", view->gl_name);
+    add(lines, "%s\nH: keys%s", view->gl_name, view->is_animated ? "" : "; click on a light to change it");
 }
 
 /* The colours of a map, with the numbers at both ends. */
@@ -150,7 +151,6 @@ void panel_draw(demo_overlay *overlay, const panel_view *view, int width, int he
 {
     text_lines lines = {.length = 0};
     describe(&lines, view);
-    overlay_begin(overlay);
     if (view->split) overlay_box(overlay, width / 2 - 0.5, 0, 1, height, pale);
     if (view->shows_panel) draw_box(overlay, 8 * scale, 8 * scale, scale, lines.text, white);
     if (view->shows_panel && view->mode != DISPLAY_PICTURE) draw_scale(overlay, view, width, height, scale);
@@ -159,5 +159,4 @@ void panel_draw(demo_overlay *overlay, const panel_view *view, int width, int he
         draw_lower_left(overlay, width, height, scale, view->error, red);
     else if (view->notice[0])
         draw_lower_left(overlay, width, height, scale, view->notice, white);
-    overlay_draw(overlay, width, height);
 }

@@ -29,7 +29,7 @@ typedef struct panel_view {
     const char *error;  /* what is wrong with the scene file; empty if nothing is */
 } panel_view;
 
-/* Draws the panel over the bound framebuffer. `scale` is that of the monitor's content. */
+/* Adds the panel to the overlay of a window of this size. `scale` is that of the monitor's content. */
 void panel_draw(demo_overlay *overlay, const panel_view *view, int width, int height, double scale);
 
 #endif

@@ -1,6 +1,7 @@
 /* The demo in a window: see window.h. */
 #include "window.h"
 #include "message.h"
+#include "window_edit.h"
 #include "window_frame.h"
 #include "window_keys.h"
 #include "window_mouse.h"
@@ -85,6 +86,12 @@ static bool open_window(demo_window *window, char *message, size_t size)
     return !missing;
 }
 
+static void on_close(GLFWwindow *handle)
+{
+    demo_window *window = glfwGetWindowUserPointer(handle);
+    glfwSetWindowShouldClose(handle, window_edit_may_close(window));
+}
+
 static bool begin(demo_window *window, char *message, size_t size)
 {
     ew_effect_desc desc = {.get_proc_address = get_proc_address};
@@ -100,8 +107,12 @@ static bool begin(demo_window *window, char *message, size_t size)
     window->overlay = window->display ? overlay_create(&window->gl, message, size) : NULL;
     if (!window->overlay) return false;
     glfwSetWindowUserPointer(window->handle, window);
+    glfwGetCursorPos(window->handle, &window->cursor[0], &window->cursor[1]);
+    window_edit_begin(window);
+    glfwSetWindowCloseCallback(window->handle, on_close);
     glfwSetKeyCallback(window->handle, window_on_key);
     glfwSetCursorPosCallback(window->handle, window_on_cursor);
+    glfwSetMouseButtonCallback(window->handle, window_on_button);
     glfwSetScrollCallback(window->handle, window_on_scroll);
     glfwSwapInterval(window->has_vsync);
     window_show(window, window->options->mode);

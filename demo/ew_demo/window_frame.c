@@ -4,6 +4,7 @@
 #include "image.h"
 #include "message.h"
 #include "panel.h"
+#include "window_edit.h"
 #include "window_mouse.h"
 
 #include <math.h>
@@ -48,6 +49,7 @@ void window_advance(demo_window *window)
         window->last_look = now;
         if (scene_watch_look(&window->file) && !window->file.message[0]) window_notify(window, "the scene file was read again");
     }
+    window_edit_advance(window);
     animation_set_time(window->animation, window->seconds);
 }
 
@@ -75,7 +77,10 @@ static void draw_panel(demo_window *window, int width, int height)
         if (view.statistics[half].map.mean_evaluations < 0)
             view.statistics[half].map.mean_evaluations = window->mean_evaluations[half];
     }
+    overlay_begin(window->overlay);
     panel_draw(window->overlay, &view, width, height, (double)scale_y);
+    window_edit_draw(window, width, height, (double)scale_y);
+    overlay_draw(window->overlay, width, height);
 }
 
 bool window_draw(demo_window *window, int width, int height, char *message, size_t size)

@@ -1,5 +1,6 @@
 /* What the window's keys do: see window_keys.h. */
 #include "window_keys.h"
+#include "window_edit.h"
 
 #include <math.h>
 
@@ -118,7 +119,7 @@ static void take_screenshot(demo_window *window)
 
 static void close_window(demo_window *window)
 {
-    glfwSetWindowShouldClose(window->handle, GLFW_TRUE);
+    glfwSetWindowShouldClose(window->handle, window_edit_may_close(window));
 }
 
 static const struct {
@@ -134,8 +135,11 @@ static const struct {
 
 void window_on_key(GLFWwindow *handle, int key, int scancode, int action, int mods)
 {
-    (void)scancode;
     demo_window *window = glfwGetWindowUserPointer(handle);
+    if (mods & GLFW_MOD_CONTROL) {
+        if (action != GLFW_RELEASE) window_edit_key(window, key, scancode, mods);
+        return;
+    }
     /* Of the keys that are held down, only those that step repeat. */
     if (action == GLFW_RELEASE || (action == GLFW_REPEAT && key != GLFW_KEY_PERIOD && key != GLFW_KEY_COMMA)) return;
     if (key >= GLFW_KEY_1 && key < GLFW_KEY_1 + INTEGRATOR_COUNT)

@@ -1,5 +1,6 @@
-/* The window's camera: see window_mouse.h. */
+/* The window's mouse and camera: see window_mouse.h. */
 #include "window_mouse.h"
+#include "window_edit.h"
 
 #include <math.h>
 
@@ -15,10 +16,22 @@ void window_on_cursor(GLFWwindow *handle, double x, double y)
     double right = degrees_a_pixel * (x - window->cursor[0]), down = degrees_a_pixel * (y - window->cursor[1]);
     window->cursor[0] = x;
     window->cursor[1] = y;
+    if (glfwGetMouseButton(handle, GLFW_MOUSE_BUTTON_LEFT) == GLFW_PRESS && window_edit_has_cursor(window)) return;
     if (glfwGetMouseButton(handle, GLFW_MOUSE_BUTTON_LEFT) == GLFW_PRESS)
         camera_control_orbit(&window->camera, window_scene(window), -right, down);
     else if (glfwGetMouseButton(handle, GLFW_MOUSE_BUTTON_RIGHT) == GLFW_PRESS)
         camera_control_look(&window->camera, window_scene(window), right, -down);
+}
+
+void window_on_button(GLFWwindow *handle, int button, int action, int mods)
+{
+    (void)mods;
+    demo_window *window = glfwGetWindowUserPointer(handle);
+    if (button != GLFW_MOUSE_BUTTON_LEFT) return;
+    if (action == GLFW_PRESS)
+        window_edit_press(window);
+    else
+        window_edit_release(window);
 }
 
 void window_on_scroll(GLFWwindow *handle, double x, double y)
@@ -31,6 +44,8 @@ void window_on_scroll(GLFWwindow *handle, double x, double y)
 void window_fly(demo_window *window, double seconds)
 {
     static const int keys[3][2] = {{GLFW_KEY_A, GLFW_KEY_D}, {GLFW_KEY_Q, GLFW_KEY_E}, {GLFW_KEY_S, GLFW_KEY_W}};
+    /* Ctrl+S saves. */
+    if (is_down(window, GLFW_KEY_LEFT_CONTROL) || is_down(window, GLFW_KEY_RIGHT_CONTROL)) return;
     const scene_camera *camera = &window_scene(window)->camera;
     double sight = 0, way[3];
     for (int i = 0; i < 3; i++)

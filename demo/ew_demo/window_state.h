@@ -1,5 +1,5 @@
 /*
- * The window's state, which window.c, window_frame.c, window_keys.c and window_mouse.c share.
+ * The window's state, which window.c and the other files of this name share.
  */
 #ifndef WINDOW_STATE_H
 #define WINDOW_STATE_H
@@ -10,9 +10,27 @@
 #include "options.h"
 #include "overlay.h"
 #include "scene_watch.h"
+#include "source_part.h"
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
+
+/* What the left mouse button holds. */
+typedef enum edit_grip { GRIP_NONE, GRIP_POINT, GRIP_SLIDER, GRIP_PANEL } edit_grip;
+
+/* The source of a scene file that is being changed. */
+typedef struct window_edit {
+    bool has_selection;
+    source_part selected;
+    edit_grip grip;
+    size_t point;        /* which of the source's is held */
+    int slider;          /* likewise */
+    double held_from[3]; /* where the point was when it was taken */
+    double offset[2];    /* from the cursor to the point then, as places in the picture */
+    bool is_click;       /* the button went down, and the cursor has not moved since */
+    double pressed[2];
+    double warned_until; /* closing the window before this time drops what is not saved */
+} window_edit;
 
 typedef struct demo_window {
     GLFWwindow *handle;
@@ -27,7 +45,8 @@ typedef struct demo_window {
     double time_scale;
     bool is_paused;
     camera_control camera;
-    double cursor[2];
+    double cursor[2]; /* in the window's own units, which are larger than pixels on some screens */
+    window_edit edit;
     display_mode mode, next_mode; /* of this frame, and from the next one on */
     bool split;
     render_settings integrators[2];
@@ -48,7 +67,7 @@ typedef struct demo_window {
 /* The scene of the file or of the animation, with its own camera. */
 static inline const demo_scene *window_scene(const demo_window *window)
 {
-    return window->options->scene ? &window->file.scene : &window->animation->scene;
+    return window->options->scene ? &window->file.document.scene : &window->animation->scene;
 }
 
 /* Shows a line of text for a few seconds. */

@@ -2,8 +2,7 @@
 #include "camera.h"
 #include "vector.h"
 
-/* The camera's right, up and backward as unit vectors in the world: the rows of the view matrix's rotation. */
-static void axes(const scene_camera *camera, double result[3][3])
+void camera_axes(const scene_camera *camera, double result[3][3])
 {
     double backward[3], up[3], right[3];
     vector_subtract(camera->eye, camera->target, backward);
@@ -17,7 +16,7 @@ static void axes(const scene_camera *camera, double result[3][3])
 void camera_turn_to_view(const scene_camera *camera, const double direction[3], double result[3])
 {
     double rotation[3][3];
-    axes(camera, rotation);
+    camera_axes(camera, rotation);
     for (int i = 0; i < 3; i++)
         result[i] = vector_dot(rotation[i], direction);
 }
@@ -32,7 +31,7 @@ void camera_to_view(const scene_camera *camera, const double position[3], double
 void camera_view(const scene_camera *camera, double view[16])
 {
     double rotation[3][3];
-    axes(camera, rotation);
+    camera_axes(camera, rotation);
     for (int row = 0; row < 3; row++) {
         for (int column = 0; column < 3; column++)
             view[4 * column + row] = rotation[row][column];

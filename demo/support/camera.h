@@ -6,6 +6,9 @@
 
 #include "scene.h"
 
+/* The camera's right, up and backward as unit vectors in the world: the rows of the view matrix's rotation. */
+void camera_axes(const scene_camera *camera, double result[3][3]);
+
 /* From world to view space: a rotation and a translation. */
 void camera_view(const scene_camera *camera, double view[16]);
 

@@ -14,6 +14,13 @@ FILE *file_create(const char *path);
 /* Gives the file `from` the name `to`, in the place of any file there is. On failure sets errno and returns false. */
 bool file_replace(const char *from, const char *to);
 
+/* Gives the file the permissions of another one, if that is there and the system has such. */
+void file_take_permissions(const char *path, const char *other);
+
+/* Returns the path of the file that a link leads to, or a copy of a path that is no link. The caller frees it; NULL where
+ * memory is exhausted. */
+char *file_behind_links(const char *path);
+
 bool file_exists(const char *path);
 
 bool file_is_terminal(FILE *file);

@@ -2,6 +2,8 @@
 #include "files.h"
 
 #include <fcntl.h>
+#include <stdlib.h>
+#include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -17,6 +19,18 @@ FILE *file_create(const char *path)
 bool file_replace(const char *from, const char *to)
 {
     return rename(from, to) == 0;
+}
+
+void file_take_permissions(const char *path, const char *other)
+{
+    struct stat state;
+    if (stat(other, &state) == 0) chmod(path, state.st_mode & 0777);
+}
+
+char *file_behind_links(const char *path)
+{
+    char *behind = realpath(path, NULL);
+    return behind ? behind : strdup(path);
 }
 
 bool file_exists(const char *path)

@@ -4,6 +4,7 @@
 #include <errno.h>
 #include <fcntl.h>
 #include <io.h>
+#include <string.h>
 #include <sys/stat.h>
 
 #include <windows.h>
@@ -22,6 +23,17 @@ bool file_replace(const char *from, const char *to)
     if (MoveFileExA(from, to, MOVEFILE_REPLACE_EXISTING)) return true;
     errno = EACCES;
     return false;
+}
+
+void file_take_permissions(const char *path, const char *other)
+{
+    (void)path;
+    (void)other;
+}
+
+char *file_behind_links(const char *path)
+{
+    return _strdup(path);
 }
 
 bool file_exists(const char *path)

@@ -1,5 +1,6 @@
 /* Pictures as files: see image.h. */
 #include "image.h"
+#include "file_replacement.h"
 #include "files.h"
 #include "message.h"
 
@@ -18,7 +19,6 @@
 static const float largest_rgbe = 1.69e38f;
 
 /* The largest number in the name of a temporary file. */
-static const int largest_temporary = 9999;
 
 image_format image_format_of(const char *path)
 {
@@ -110,34 +110,13 @@ bool image_print_png(const image_pixels *image, char *message, size_t size)
     return false;
 }
 
-/* Creates a file beside `path`, for which `name` has room, under the first name that is free. */
-static FILE *create_temporary(const char *path, char *name, size_t size)
-{
-    FILE *file = NULL;
-    errno = EEXIST;
-    for (int number = 0; !file && number <= largest_temporary && errno == EEXIST; number++) {
-        snprintf(name, size, "%s.%d.tmp", path, number);
-        file = file_create(name);
-    }
-    return file;
-}
-
 bool image_write(const char *path, const image_pixels *image, char *message, size_t size)
 {
-    size_t name_size = strlen(path) + sizeof ".9999.tmp";
-    char *temporary = malloc(name_size);
-    FILE *file = temporary ? create_temporary(path, temporary, name_size) : NULL;
-    bool ok = false;
-    if (file) {
-        ok = write_image(image_format_of(path), image, file);
-        ok = fclose(file) == 0 && ok;
-        ok = ok && file_replace(temporary, path);
-    }
-    if (!ok) {
+    file_replacement replacement;
+    bool ok = file_replacement_begin(&replacement, path);
+    ok = file_replacement_end(&replacement, ok && write_image(image_format_of(path), image, replacement.file));
+    if (!ok)
         message_write(message, size, "%s: cannot be written (%s); name a file in a folder that takes it", path,
                       strerror(errno));
-        if (file) remove(temporary);
-    }
-    free(temporary);
     return ok;
 }

@@ -241,8 +241,7 @@ bool scene_parse(const char *text, size_t length, const char *name, demo_scene *
     return r.ok;
 }
 
-/* Returns the bytes of the file, which the caller frees; NULL, with a message, on failure. */
-static char *read_file(const char *path, size_t *length, char *message, size_t size)
+char *scene_read_text(const char *path, size_t *length, char *message, size_t size)
 {
     FILE *file = fopen(path, "rb");
     if (!file) {
@@ -265,7 +264,10 @@ static char *read_file(const char *path, size_t *length, char *message, size_t s
     bool complete = *length < capacity && !ferror(file);
     if (ferror(file)) message_write(message, size, "%s: cannot be read (%s); name a scene file", path, strerror(errno));
     fclose(file);
-    if (complete) return text;
+    if (complete) {
+        text[*length] = '\0';
+        return text;
+    }
     free(text);
     return NULL;
 }
@@ -274,7 +276,7 @@ bool scene_load(const char *path, demo_scene *scene, char *message, size_t size)
 {
     *scene = (demo_scene){0};
     size_t length;
-    char *text = read_file(path, &length, message, size);
+    char *text = scene_read_text(path, &length, message, size);
     if (!text) return false;
     bool ok = scene_parse(text, length, path, scene, message, size);
     free(text);

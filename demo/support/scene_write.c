@@ -1,5 +1,6 @@
 /* A scene as text: see scene_write.h. */
 #include "scene_write.h"
+#include "source_light.h"
 
 #include <jansson.h>
 
@@ -36,15 +37,6 @@ static json_t *positions(json_writer *w, const double (*values)[3], size_t count
 
 /* ---- Sources ------------------------------------------------------------------------------------------------------------ */
 
-typedef struct source_light {
-    double coefficient, brightness, core, reach, sharpness;
-    const double *color;
-} source_light;
-
-#define LIGHT_OF(source)                                                                                                       \
-    ((source_light){(source)->coefficient, (source)->brightness, (source)->core, (source)->reach, (source)->sharpness,         \
-                    (source)->color})
-
 /* The members of every source. What is 0 stands for a default, but for a coefficient without a brightness. */
 static void put_light(json_writer *w, json_t *object, source_light light)
 {
@@ -64,7 +56,7 @@ static json_t *points_of(json_writer *w, const ew_sources_desc *sources)
     for (size_t i = 0; i < sources->point_count; i++) {
         json_t *object = json_object();
         put(w, object, "position", numbers(w, sources->points[i].position, 3));
-        put_light(w, object, LIGHT_OF(&sources->points[i]));
+        put_light(w, object, SOURCE_LIGHT(&sources->points[i]));
         append(w, list, object);
     }
     return list;
@@ -77,7 +69,7 @@ static json_t *lines_of(json_writer *w, const ew_sources_desc *sources)
         json_t *object = json_object();
         put(w, object, "position", numbers(w, sources->lines[i].position, 3));
         put(w, object, "direction", numbers(w, sources->lines[i].direction, 3));
-        put_light(w, object, LIGHT_OF(&sources->lines[i]));
+        put_light(w, object, SOURCE_LIGHT(&sources->lines[i]));
         append(w, list, object);
     }
     return list;
@@ -91,7 +83,7 @@ static json_t *tori_of(json_writer *w, const ew_sources_desc *sources)
         put(w, object, "center", numbers(w, sources->tori[i].center, 3));
         put(w, object, "axis", numbers(w, sources->tori[i].axis, 3));
         put(w, object, "radius", json_real(sources->tori[i].radius));
-        put_light(w, object, LIGHT_OF(&sources->tori[i]));
+        put_light(w, object, SOURCE_LIGHT(&sources->tori[i]));
         append(w, list, object);
     }
     return list;
@@ -106,7 +98,7 @@ static json_t *curves_of(json_writer *w, const ew_sources_desc *sources)
         put(w, object, "polynomial", positions(w, curve->polynomial, 3));
         put(w, object, "domain", numbers(w, curve->domain, 2));
         if (curve->weight_count > 0) put(w, object, "weights", numbers(w, curve->weights, curve->weight_count));
-        put_light(w, object, LIGHT_OF(curve));
+        put_light(w, object, SOURCE_LIGHT(curve));
         append(w, list, object);
     }
     return list;
@@ -126,7 +118,7 @@ static json_t *paths_of(json_writer *w, const ew_sources_desc *sources)
         put(w, object, "points", positions(w, path->points, path->point_count));
         if (path->is_closed) put(w, object, "closed", json_true());
         if (path->weight_count > 0) put(w, object, "weights", numbers(w, path->weights, path->weight_count));
-        put_light(w, object, LIGHT_OF(path));
+        put_light(w, object, SOURCE_LIGHT(path));
         append(w, list, object);
     }
     return list;

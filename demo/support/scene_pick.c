@@ -1,0 +1,129 @@
+/* Picking: see scene_pick.h. The page's pick.mjs has the same formulas. */
+#include "scene_pick.h"
+#include "source_shape.h"
+#include "vector.h"
+
+/* Less light than this, where 1 is shown as white, is not what somebody clicks on. */
+static const double least_light = 0.02;
+
+/* ---- Opaque shapes: how far along the ray it meets them, in view depths -----------------------------------------------------
+ */
+
+static double meets_sphere(const camera_ray *ray, const double center[3], double radius)
+{
+    double way[3], squared = vector_dot(ray->direction, ray->direction);
+    vector_subtract(center, ray->origin, way);
+    double along = vector_dot(way, ray->direction) / squared;
+    double half = along * along - (vector_dot(way, way) - radius * radius) / squared;
+    return half > 0 && along - sqrt(half) > 0 ? along - sqrt(half) : HUGE_VAL;
+}
+
+static double meets_plane(const camera_ray *ray, const double point[3], const double normal[3])
+{
+    double way[3];
+    vector_subtract(point, ray->origin, way);
+    double depth = vector_dot(way, normal) / vector_dot(ray->direction, normal);
+    return depth > 0 ? depth : HUGE_VAL;
+}
+
+static double meets_box(const camera_ray *ray, const double min[3], const double max[3])
+{
+    double first = 0, last = HUGE_VAL;
+    for (int i = 0; i < 3; i++) {
+        double a = (min[i] - ray->origin[i]) / ray->direction[i], b = (max[i] - ray->origin[i]) / ray->direction[i];
+        first = fmax(first, fmin(a, b));
+        last = fmin(last, fmax(a, b));
+    }
+    return first > 0 && first < last ? first : HUGE_VAL;
+}
+
+static double nearest_wall(const demo_scene *scene, const camera_ray *ray)
+{
+    double nearest = HUGE_VAL;
+    for (size_t i = 0; i < scene->opaque_count; i++) {
+        const opaque_shape *opaque = &scene->opaque[i];
+        switch (opaque->kind) {
+        case OPAQUE_BOX:
+            nearest = fmin(nearest, meets_box(ray, opaque->shape.box.min, opaque->shape.box.max));
+            break;
+        case OPAQUE_PLANE:
+            nearest = fmin(nearest, meets_plane(ray, opaque->shape.plane.point, opaque->shape.plane.normal));
+            break;
+        case OPAQUE_SPHERE:
+            nearest = fmin(nearest, meets_sphere(ray, opaque->shape.sphere.center, opaque->shape.sphere.radius));
+            break;
+        }
+    }
+    return nearest;
+}
+
+/* ---- Sources ----------------------------------------------------------------------------------------------------------------
+ */
+
+/* The search along one source. */
+typedef struct pick_search {
+    const camera_ray *ray;
+    double wall; /* the view depth that ends it */
+    double width;
+    bool is_orthographic;
+    double nearest; /* the least distance so far between the ray and the source */
+} pick_search;
+
+/* The place of a piece that is nearest to the ray, as a share of the way from a to b. */
+static double share_of_piece(const camera_ray *ray, const double a[3], const double b[3])
+{
+    double way[3], from[3], unit[3];
+    vector_normalize(ray->direction, unit);
+    vector_subtract(b, a, way);
+    vector_subtract(a, ray->origin, from);
+    double along = vector_dot(way, unit), across = vector_dot(way, way) - along * along;
+    if (!(across > 1e-12 * vector_dot(way, way))) return 0; /* a point, or a piece along the ray */
+    return fmin(fmax((along * vector_dot(from, unit) - vector_dot(from, way)) / across, 0), 1);
+}
+
+static void search_piece(void *user, const double a[3], const double b[3])
+{
+    pick_search *search = user;
+    const camera_ray *ray = search->ray;
+    double way[3], place[3], apart[3];
+    vector_subtract(b, a, way);
+    vector_add_scaled(a, share_of_piece(ray, a, b), way, place);
+    vector_subtract(place, ray->origin, apart);
+    double depth = vector_dot(apart, ray->direction) / vector_dot(ray->direction, ray->direction);
+    if (depth <= 0 || depth > search->wall) return;
+    vector_add_scaled(apart, -depth, ray->direction, apart);
+    double width = search->width * (search->is_orthographic ? 1 : depth);
+    search->nearest = fmin(search->nearest, fmax(vector_length(apart) - width, 0));
+}
+
+/* The luminance of a long straight beam at that distance from the ray, with its sharpness. The papers' integral has sources
+ * without a reach: here theirs is a thousand cores. */
+static double light_at(source_light light, double epsilon, double distance)
+{
+    double core = light.core > 0 ? light.core : epsilon, reach = light.reach > 0 ? light.reach : 1e3 * core;
+    double spread = log(reach / core), strongest = fmax(light.color[0], fmax(light.color[1], light.color[2]));
+    double brightness = light.coefficient > 0 ? 2 * light.coefficient * spread : light.brightness;
+    double share = log(reach / fmin(fmax(distance, core), reach)) / spread;
+    return brightness * strongest * pow(share, light.sharpness > 0 ? light.sharpness : 1);
+}
+
+bool scene_pick(const demo_scene *scene, const camera_ray *ray, double width, source_part *found)
+{
+    const ew_sources_desc *sources = &scene->sources;
+    double wall = nearest_wall(scene, ray), most = least_light;
+    bool is_found = false;
+    for (int kind = 0; kind < SOURCE_KIND_COUNT; kind++)
+        for (size_t i = 0; i < source_part_count(sources, (source_kind)kind); i++) {
+            source_part part = {(source_kind)kind, i};
+            source_light light = source_part_light(sources, part);
+            /* The half of a core that stands out of a wall is seen. */
+            pick_search search = {ray, wall + light.core, width, scene->camera.orthographic, HUGE_VAL};
+            source_shape(sources, part, search_piece, &search);
+            double shown = light_at(light, sources->epsilon, search.nearest);
+            if (!(shown > most)) continue;
+            most = shown;
+            *found = part;
+            is_found = true;
+        }
+    return is_found;
+}

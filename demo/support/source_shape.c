@@ -1,0 +1,176 @@
+/* The shapes of sources: see source_shape.h. */
+#include "source_shape.h"
+#include "vector.h"
+
+#include <stdbool.h>
+#include <string.h>
+
+enum { PIECES_OF_BEND = 16, PIECES_OF_TORUS = 64, PIECES_OF_HALF_LINE = 40 };
+
+/* Who takes the pieces. */
+typedef struct shape_taker {
+    source_piece *take;
+    void *user;
+} shape_taker;
+
+static void mix(const double a[3], const double b[3], double share, double result[3])
+{
+    for (int i = 0; i < 3; i++)
+        result[i] = a[i] + share * (b[i] - a[i]);
+}
+
+/* Pieces grow with the distance from the line's position, because the position is where one is likely to look. */
+static void line_shape(const shape_taker *taker, const ew_line *line)
+{
+    const double growth = 1.17;
+    double direction[3];
+    vector_normalize(line->direction, direction);
+    for (int side = -1; side <= 1; side += 2) {
+        double a[3], b[3];
+        vector_copy(line->position, a);
+        for (int i = 1; i <= PIECES_OF_HALF_LINE; i++) {
+            vector_add_scaled(line->position, side * (pow(growth, i) - 1), direction, b);
+            taker->take(taker->user, a, b);
+            vector_copy(b, a);
+        }
+    }
+}
+
+static void torus_shape(const shape_taker *taker, const ew_torus *torus)
+{
+    double axis[3], u[3], v[3], a[3], b[3];
+    vector_normalize(torus->axis, axis);
+    vector_across(axis, u, v);
+    vector_add_scaled(torus->center, torus->radius, u, a);
+    for (int i = 1; i <= PIECES_OF_TORUS; i++) {
+        double angle = 2 * M_PI * i / PIECES_OF_TORUS;
+        vector_add_scaled(torus->center, torus->radius * cos(angle), u, b);
+        vector_add_scaled(b, torus->radius * sin(angle), v, b);
+        taker->take(taker->user, a, b);
+        vector_copy(b, a);
+    }
+}
+
+static void curve_shape(const shape_taker *taker, const ew_curve *curve)
+{
+    double a[3], b[3];
+    for (int i = 0; i <= 2 * PIECES_OF_BEND; i++) {
+        double t = curve->domain[0] + (curve->domain[1] - curve->domain[0]) * i / (2 * PIECES_OF_BEND);
+        vector_add_scaled(curve->polynomial[0], t, curve->polynomial[1], b);
+        vector_add_scaled(b, t * t, curve->polynomial[2], b);
+        if (i > 0) taker->take(taker->user, a, b);
+        vector_copy(b, a);
+    }
+}
+
+/* De Casteljau's construction: the place at `share` of the Bezier curve of 3 or 4 points. */
+static void bezier_at(const double (*points)[3], int count, double share, double result[3])
+{
+    double mixed[4][3];
+    memcpy(mixed, points, (size_t)count * sizeof *mixed);
+    for (int left = count - 1; left > 0; left--)
+        for (int i = 0; i < left; i++)
+            mix(mixed[i], mixed[i + 1], share, mixed[i]);
+    vector_copy(mixed[0], result);
+}
+
+static void bezier_shape(const shape_taker *taker, const double (*points)[3], int count)
+{
+    double a[3], b[3];
+    vector_copy(points[0], a);
+    for (int i = 1; i <= PIECES_OF_BEND; i++) {
+        bezier_at(points, count, (double)i / PIECES_OF_BEND, b);
+        taker->take(taker->user, a, b);
+        vector_copy(b, a);
+    }
+}
+
+/* The path's point of this number, from 1 on. Beyond the ends of an open path, at 0 and at one more than there are, it is the
+ * mirror image of the last but one. */
+static void path_point(const ew_path *path, size_t number, double result[3])
+{
+    const double(*points)[3] = path->points;
+    size_t n = path->point_count;
+    if (path->is_closed)
+        vector_copy(points[(number + n - 1) % n], result);
+    else if (number == 0)
+        mix(points[1], points[0], 2, result);
+    else if (number > n)
+        mix(points[n - 2], points[n - 1], 2, result);
+    else
+        vector_copy(points[number - 1], result);
+}
+
+/* Each piece of a B-spline belongs to one point; it runs from half way to the last one to half way to the next. */
+static void bspline_shape(const shape_taker *taker, const ew_path *path)
+{
+    size_t n = path->point_count;
+    bool is_open = !path->is_closed;
+    for (size_t i = is_open; i < n - is_open; i++) {
+        double before[3], after[3], bezier[3][3];
+        path_point(path, i, before);
+        path_point(path, i + 1, bezier[1]);
+        path_point(path, i + 2, after);
+        mix(before, bezier[1], is_open && i == 1 ? 0 : 0.5, bezier[0]);
+        mix(bezier[1], after, is_open && i == n - 2 ? 1 : 0.5, bezier[2]);
+        bezier_shape(taker, (const double(*)[3])bezier, 3);
+    }
+}
+
+static void catmull_rom_shape(const shape_taker *taker, const ew_path *path)
+{
+    for (size_t i = 0; i + !path->is_closed < path->point_count; i++) {
+        double near_points[4][3], bezier[4][3];
+        for (size_t k = 0; k < 4; k++)
+            path_point(path, i + k, near_points[k]);
+        for (int axis = 0; axis < 3; axis++) {
+            bezier[0][axis] = near_points[1][axis];
+            bezier[1][axis] = near_points[1][axis] + (near_points[2][axis] - near_points[0][axis]) / 6;
+            bezier[2][axis] = near_points[2][axis] - (near_points[3][axis] - near_points[1][axis]) / 6;
+            bezier[3][axis] = near_points[2][axis];
+        }
+        bezier_shape(taker, (const double(*)[3])bezier, 4);
+    }
+}
+
+static void path_shape(const shape_taker *taker, const ew_path *path)
+{
+    switch (path->kind) {
+    case EW_PATH_POLYLINE:
+        for (size_t i = 0; i + !path->is_closed < path->point_count; i++)
+            taker->take(taker->user, path->points[i], path->points[(i + 1) % path->point_count]);
+        break;
+    case EW_PATH_BSPLINE:
+        bspline_shape(taker, path);
+        break;
+    case EW_PATH_BEZIER:
+        for (size_t i = 0; i + 3 < path->point_count; i += 3)
+            bezier_shape(taker, path->points + i, 4);
+        break;
+    case EW_PATH_CATMULL_ROM:
+        catmull_rom_shape(taker, path);
+        break;
+    }
+}
+
+void source_shape(const ew_sources_desc *sources, source_part part, source_piece *take, void *user)
+{
+    const shape_taker taker = {take, user};
+    switch (part.kind) {
+    case SOURCE_POINT:
+        take(user, sources->points[part.index].position, sources->points[part.index].position);
+        break;
+    case SOURCE_LINE:
+        line_shape(&taker, &sources->lines[part.index]);
+        break;
+    case SOURCE_TORUS:
+        torus_shape(&taker, &sources->tori[part.index]);
+        break;
+    case SOURCE_CURVE:
+        curve_shape(&taker, &sources->curves[part.index]);
+        break;
+    case SOURCE_PATH:
+        path_shape(&taker, &sources->paths[part.index]);
+        break;
+    }
+}

@@ -1,0 +1,138 @@
+#!/bin/sh
+# A scene file is changed in ew-demo's window by the mouse and saved, under Xvfb: what shines is selected by a click on its light, its
+# point and its reach are dragged, and undone. The file then holds what was done, and else what it held before. What another
+# program saves meanwhile is not overwritten.
+# Usage: edit.sh EW_DEMO EW_RENDER SCENES VERSION
+ew_demo=$1
+. "$(dirname "$0")/../checks.sh"
+enters edit
+. "$(dirname "$0")/display.sh"
+needs compare identify
+
+# At a depth of 10, the picture of 300 rows is 10 units high: 30 pixels a unit. The origin is at pixel (200, 150).
+cat > original.json << 'TEXT'
+{ "comment": "kept as it is",
+  "camera": { "eye": [0, 0, 10], "target": [0, 0, 0], "fov_y_degrees": 53.13010235415598 },
+  "points": [{ "name": "orb", "position": [-3, 2, 0], "core": 0.2, "reach": 1.00, "brightness": 2 }],
+  "paths": [{ "name": "b\u0065am", "points": [[-3,-1.50,0], [2, -1.5, 0]], "core": 0.1, "reach": 1, "brightness": 2 }] }
+TEXT
+
+# The window takes events in their order, however slow it is.
+# drags X Y X Y: presses the mouse at the first pixel and lets it go at the second, some frames later if the machine is fast.
+drags() {
+    xdotool mousemove --window "$id" "$1" "$2" mousedown 1 sleep 0.05 mousemove --window "$id" "$3" "$4" sleep 0.05 mouseup 1
+}
+
+clicks() {
+    xdotool mousemove --window "$id" "$1" "$2" click 1
+}
+
+holds() {
+    cmp -s scene.json "$1"
+}
+
+press() {
+    for key; do
+        xdotool key "$key"
+    done
+}
+
+# saves EXPECTED: saves, and waits until the file is this one.
+saves() {
+    press ctrl+s
+    waits "the file is $1" holds "$1" || diff scene.json "$1"
+}
+
+shows() {
+    import -window "$id" "$1"
+}
+
+has_colors() {
+    shows "$1" && [ "$(identify -format '%k' "$1")" -gt 50 ]
+}
+
+has_changed() {
+    shows now.png && [ "$(compare -metric AE now.png "$1" null: 2>&1)" -gt 100 ]
+}
+
+starts_display 400x300
+cp original.json scene.json
+opens "$ew_demo" --size 400x300 --samples 1 scene.json
+waits 'the scene is shown' has_colors opened.png
+
+# A click beside the beam's axis, on its glow, selects it, and changes nothing.
+clicks 170 202
+waits 'the selected source is marked' has_changed opened.png
+saves original.json
+
+# The beam's right end, at pixel (260, 195), is dragged by (-60, +30) pixels, which is (-2, -1) units. It was taken beside its middle.
+drags 262 196 202 226
+sed 's/\[2, -1.5, 0\]/[0, -2.5, 0]/' original.json > moved.json
+saves moved.json
+
+# The slider of its reach runs from 0.01 at column 220 to 100 at column 384.
+drags 302 76 314 76
+sed 's/"reach": 1,/"reach": 1.96,/' moved.json > wider.json
+saves wider.json
+shows wider.png
+press ctrl+z ctrl+z
+saves original.json
+press ctrl+y
+saves moved.json
+press ctrl+shift+z
+saves wider.json
+press ctrl+z ctrl+z
+
+# The core may not be wider than the reach: the slider ends before it.
+drags 302 46 390 46
+sed 's/"core": 0.1/"core": 0.95/' original.json > core.json
+saves core.json
+press ctrl+z
+
+# A click beside all light selects nothing: what was a point's handle then turns the camera.
+clicks 20 280
+drags 260 195 200 225
+saves original.json
+press c
+
+# What another program saves is not overwritten: it is read, as a step that can be undone. A fault that it saves stays as well.
+clicks 110 90
+drags 110 90 140 90
+sed 's/\[-3, 2, 0\]/[-2, 2, 0]/' original.json > orb.json
+sed 's/kept as it is/of another program/' original.json > other.json
+cp other.json next.json
+mv next.json scene.json
+press ctrl+s
+sleep 0.5
+holds other.json || complain 'what another program saved is overwritten'
+press ctrl+z
+saves orb.json
+echo '{ "camera": 3 }' > fault.json
+cp fault.json scene.json
+press ctrl+s
+sleep 0.5
+holds fault.json || complain 'a fault that another program saved is overwritten'
+rm scene.json
+saves orb.json
+
+# Links stay, as do permissions.
+mv scene.json kept.json
+chmod 640 kept.json
+ln -s kept.json scene.json
+sleep 0.5
+press ctrl+z
+saves original.json
+[ -L scene.json ] || complain 'a link is replaced'
+[ "$(stat -c %a kept.json)" = 640 ] || complain "the permissions become $(stat -c %a kept.json)"
+
+# What is not saved is not dropped without a warning.
+press ctrl+y
+focuses
+press Escape
+sleep 0.5
+has_ended && complain 'the window closes over changes that are not saved'
+shows warning.png
+closes
+holds original.json || complain 'closing saves'
+[ "$(find . -name '*.tmp')" = '' ] || complain "it leaves $(find . -name '*.tmp')"
+concludes

@@ -1,0 +1,187 @@
+/* What is under the pointer, and the shapes and rays by which it is found. */
+#include "check.h"
+#include "scene_file.h"
+#include "scene_pick.h"
+#include "source_shape.h"
+#include "vector.h"
+
+#include <stdio.h>
+
+#define CAMERA "\"camera\": { \"eye\": [0, 0, 10], \"target\": [0, 0, 0], \"fov_y_degrees\": 53.13010235415598"
+/* The picture is 10 units high at a depth of 10, and twice as wide. */
+static const double aspect = 2;
+#define LIGHT "\"core\": 0.1, \"reach\": 1, \"brightness\": 2"
+
+static demo_scene parse(const char *text)
+{
+    demo_scene scene;
+    char message[256] = "";
+    if (!scene_parse(text, strlen(text), "scene", &scene, message, sizeof message)) fail_msg("%s", message);
+    return scene;
+}
+
+/* Picks at a place of the picture; returns the kind, or -1 for nothing. */
+static int pick(const char *text, double x, double y)
+{
+    demo_scene scene = parse(text);
+    camera_ray ray = camera_ray_at(&scene.camera, aspect, (double[]){x, y});
+    source_part part;
+    int kind = scene_pick(&scene, &ray, 0, &part) ? (int)part.kind : -1;
+    scene_free(&scene);
+    return kind;
+}
+
+static void check_rays(const scene_camera *camera)
+{
+    const double position[3] = {1, 2, -3};
+    double place[2], back[3] = {4, 5, 0};
+    double depth = camera_project(camera, aspect, position, place);
+    camera_ray ray = camera_ray_at(camera, aspect, place);
+    vector_add_scaled(ray.origin, depth, ray.direction, back);
+    for (int i = 0; i < 3; i++)
+        check_close(back[i], position[i], 1e-12);
+    /* Moved across the view, it keeps its depth. */
+    camera_move_across(camera, aspect, (double[]){0.3, -0.4}, back);
+    check_close(camera_project(camera, aspect, back, place), depth, 1e-12);
+    check_close(place[0], 0.3, 1e-12);
+    check_close(place[1], -0.4, 1e-12);
+}
+
+static void rays_lead_back_to_what_was_projected(void **state)
+{
+    (void)state;
+    scene_camera camera = {.eye = {5, 1, 8}, .target = {0.5, 0, 0}, .up = {0.1, 1, 0}, .fov_y_degrees = 40, .height = 3};
+    check_rays(&camera);
+    camera.orthographic = true;
+    check_rays(&camera);
+}
+
+static void every_kind_is_found_where_it_shines(void **state)
+{
+    (void)state;
+    static const char *const points = "{ " CAMERA " }, \"points\": [{ \"position\": [4, 1, 0], " LIGHT " }] }";
+    assert_int_equal(pick(points, 0.4, 0.2), SOURCE_POINT);
+    assert_int_equal(pick(points, 0.4, 0.35), SOURCE_POINT);
+    assert_int_equal(pick(points, 0.4, 0.45), -1);
+    static const char *const lines =
+        "{ " CAMERA " }, \"lines\": [{ \"position\": [0, 1, 0], \"direction\": [1, 0, 0], " LIGHT " }] }";
+    assert_int_equal(pick(lines, -0.9, 0.2), SOURCE_LINE);
+    assert_int_equal(pick(lines, 0.9, -0.1), -1);
+    static const char *const tori =
+        "{ " CAMERA " }, \"tori\": [{ \"center\": [0, 0, 0], \"axis\": [0, 0, 1], \"radius\": 3, " LIGHT " }] }";
+    assert_int_equal(pick(tori, 0.3, 0), SOURCE_TORUS);
+    assert_int_equal(pick(tori, 0, 0), -1);
+    static const char *const curves =
+        "{ " CAMERA " }, \"curves\": [{ \"control_points\": [[-4, 0, 0], [0, 6, 0], [4, 0, 0]], " LIGHT " }] }";
+    assert_int_equal(pick(curves, 0, 0.6), SOURCE_CURVE);
+    assert_int_equal(pick(curves, 0, 0.1), -1);
+    static const char *const paths = "{ " CAMERA " }, \"paths\": [{ \"points\": [[-4, 2, 0], [4, 2, 0]], " LIGHT " }] }";
+    assert_int_equal(pick(paths, 0, 0.4), SOURCE_PATH);
+    assert_int_equal(pick(paths, 0.6, 0.4), -1);
+}
+
+static void the_brightest_is_found(void **state)
+{
+    (void)state;
+    static const char *const text = "{ " CAMERA " }, \"points\": [{ \"position\": [0, 0, 0], " LIGHT " }],"
+                                    " \"paths\": [{ \"points\": [[-4, 0.5, -1], [4, 0.5, -1]], " LIGHT " }] }";
+    assert_int_equal(pick(text, 0, 0), SOURCE_POINT);
+    assert_int_equal(pick(text, 0, 0.1), SOURCE_PATH);
+}
+
+static void nothing_is_found_behind_walls_or_the_eye(void **state)
+{
+    (void)state;
+#define ORB "\"points\": [{ \"position\": [0, 0, 0], " LIGHT " }]"
+    static const char *const walls[] = {
+        "{ \"shape\": \"box\", \"min\": [-1, -1, 1], \"max\": [1, 1, 2] }",
+        "{ \"shape\": \"plane\", \"point\": [0, 0, 1], \"normal\": [0.1, 0, 1] }",
+        "{ \"shape\": \"sphere\", \"center\": [0, 0, 3], \"radius\": 1 }",
+    };
+    for (size_t i = 0; i < sizeof walls / sizeof *walls; i++) {
+        char text[600];
+        snprintf(text, sizeof text, "{ " CAMERA " }, " ORB ", \"opaque\": [%s] }", walls[i]);
+        assert_int_equal(pick(text, 0, 0), -1);
+    }
+    assert_int_equal(
+        pick("{ " CAMERA " }, " ORB ", \"opaque\": [{ \"shape\": \"sphere\", \"center\": [0, 0, -3], \"radius\": 1 }] }", 0, 0),
+        SOURCE_POINT);
+    assert_int_equal(pick("{ " CAMERA " }, \"points\": [{ \"position\": [0, 0, 13], " LIGHT " }] }", 0, 0), -1);
+}
+
+/* Adds the pieces up, and checks that they hang together. */
+typedef struct walk {
+    double length;
+    double first[3], last[3];
+    int count;
+} walk;
+
+static void step(void *user, const double a[3], const double b[3])
+{
+    walk *w = user;
+    double way[3];
+    if (w->count++ == 0) {
+        vector_copy(a, w->first);
+    } else {
+        for (int i = 0; i < 3; i++)
+            check_close(a[i], w->last[i], 1e-12);
+    }
+    vector_subtract(b, a, way);
+    w->length += vector_length(way);
+    vector_copy(b, w->last);
+}
+
+static walk walk_along(const char *path)
+{
+    char text[600];
+    snprintf(text, sizeof text, "{ " CAMERA " }, \"paths\": [{ %s, " LIGHT " }] }", path);
+    demo_scene scene = parse(text);
+    walk result = {0};
+    source_shape(&scene.sources, (source_part){SOURCE_PATH, 0}, step, &result);
+    scene_free(&scene);
+    return result;
+}
+
+static void check_ends(const walk *w, const double first[3], const double last[3], double length)
+{
+    for (int i = 0; i < 3; i++) {
+        check_close(w->first[i], first[i], 1e-12);
+        check_close(w->last[i], last[i], 1e-12);
+    }
+    check_close(w->length, length, 1e-2);
+}
+
+static void shapes_of_paths_begin_and_end_where_the_paths_do(void **state)
+{
+    (void)state;
+#define STRAIGHT "\"points\": [[0, 0, 0], [1, 0, 0], [2, 0, 0], [3, 0, 0]]"
+    static const char *const kinds[] = {"polyline", "bspline", "bezier", "catmull_rom"};
+    for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++) {
+        char text[200];
+        snprintf(text, sizeof text, "\"kind\": \"%s\", " STRAIGHT, kinds[i]);
+        walk w = walk_along(text);
+        check_ends(&w, (double[]){0, 0, 0}, (double[]){3, 0, 0}, 3);
+    }
+    /* A closed B-spline of a square has 4 parabolas, each from the middle of a side to that of the next and 1.6232 half sides
+     * long. A Catmull-Rom spline goes through the corners, in arcs of 2.1019 half sides. Both lengths are integrated
+     * numerically. */
+#define SQUARE "\"closed\": true, \"points\": [[0, 0, 0], [2, 0, 0], [2, 2, 0], [0, 2, 0]]"
+    walk w = walk_along("\"kind\": \"polyline\", " SQUARE);
+    check_ends(&w, (double[]){0, 0, 0}, (double[]){0, 0, 0}, 8);
+    w = walk_along("\"kind\": \"bspline\", " SQUARE);
+    check_ends(&w, (double[]){0, 1, 0}, (double[]){0, 1, 0}, 4 * 1.6232);
+    w = walk_along("\"kind\": \"catmull_rom\", " SQUARE);
+    check_ends(&w, (double[]){0, 0, 0}, (double[]){0, 0, 0}, 4 * 2.1019);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(rays_lead_back_to_what_was_projected),
+        cmocka_unit_test(every_kind_is_found_where_it_shines),
+        cmocka_unit_test(the_brightest_is_found),
+        cmocka_unit_test(nothing_is_found_behind_walls_or_the_eye),
+        cmocka_unit_test(shapes_of_paths_begin_and_end_where_the_paths_do),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
