@@ -84,6 +84,7 @@ text << 'TEXT'
 
 Each picture stands above the command that drew it. `./run gallery` redraws all of them and rewrites this page. The programs are
 `build/demo/ew-render` and `build/demo/ew-demo`. Figure numbers are those of Watanabe's thesis; the scenes follow its figures.
+[Your first wave](first-wave.md) shows how to make such a picture by hand, in ten steps.
 
 ## The court
 
