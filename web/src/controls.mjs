@@ -11,6 +11,8 @@ export function element(tag, attributes = {}, ...children) {
     return result;
 }
 
+export const at = (id) => document.getElementById(id);
+
 export const button = (label, onclick, attributes = {}) => element('button', { type: 'button', onclick, ...attributes }, label);
 
 const row = (id, label, ...children) => element('div', { class: 'row' }, element('label', { for: id }, label), ...children);

@@ -35,11 +35,16 @@ export class History {
             this.revert();
             return false;
         }
+        this.take(document);
+        return true;
+    }
+
+    // Commits a document that was accepted elsewhere.
+    take(document) {
         this.#past.push(this.#committed);
         this.#future = [];
         this.#committed = document;
         this.#show(document);
-        return true;
     }
 
     // Shows what was committed last again.
