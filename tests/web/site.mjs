@@ -8,6 +8,7 @@ import { inFolder, serve } from './serve.mjs';
 
 const [site, native, folder] = process.argv.slice(2);
 const [width, height] = [368, 207];
+const viewport = { width: 900, height: 520 }, pillar = [290, 250]; // where the pillar of the empty floor is seen
 const mostBytes = 1e6, most = 2; // of 255
 const mostLeft = 0.001; // of the pixels: silhouettes
 const patience = 60000; // milliseconds, for shaders and pictures by software
@@ -17,7 +18,7 @@ mkdirSync(folder, { recursive: true });
 const server = await serve(inFolder(site), 0);
 const address = `http://127.0.0.1:${server.address().port}/`;
 const { page, browser } = await launch('swiftshader', folder, `${address}?any`, // so that going to `address` loads the page anew
-    { viewport: { width: 900, height: 520 }, permissions: ['clipboard-read', 'clipboard-write'] });
+    { viewport, permissions: ['clipboard-read', 'clipboard-write'] });
 page.setDefaultTimeout(patience);
 
 const requests = [], faults = [];
@@ -196,6 +197,44 @@ const tests = {
             expect(Math.max(...counted) <= most && left <= mostLeft * lit.length, `${name}: ${Math.max(...counted)}/255 off, ${left} silhouettes`);
         }
     },
+    'one finger looks around, two come closer, and a tap chooses': async () => {
+        await startFrom('empty');
+        const devtools = await browser.newCDPSession(page);
+        const touch = (type, ...fingers) => devtools.send('Input.dispatchTouchEvent', { type, touchPoints: fingers.map(([x, y], id) => ({ x, y, id })) });
+        const distance = ({ eye, target }) => Math.hypot(...eye.map((x, i) => x - target[i]));
+        await touch('touchStart', pillar);
+        await touch('touchEnd');
+        expect((await page.textContent('#selected-title')) === 'Pillar', 'a tap on the pillar does not choose it');
+        const before = (await savedScene()).camera;
+        await touch('touchStart', [100, 450]);
+        for (let i = 1; i <= 5; i++) await touch('touchMove', [100 + 20 * i, 450]);
+        await touch('touchEnd');
+        const turned = (await savedScene()).camera;
+        expect(Math.abs(turned.eye[0] - before.eye[0]) > 1 && Math.abs(distance(turned) / distance(before) - 1) < 1e-6, 'a finger does not look around');
+        await touch('touchStart', [200, 450], [300, 450]);
+        for (let i = 1; i <= 5; i++) await touch('touchMove', [200 - 20 * i, 450], [300 + 20 * i, 450]);
+        await touch('touchEnd');
+        const near = distance((await savedScene()).camera) / distance(turned);
+        expect(Math.abs(near * 3 - 1) < 0.01, `fingers that are three times as far apart come ${1 / near} times as close`);
+        await page.keyboard.press('Escape');
+    },
+    'a file that is dropped is opened, and a wrong one is not': async () => {
+        const drop = (name, text) => page.evaluate(([fileName, content]) => {
+            const dataTransfer = new DataTransfer();
+            dataTransfer.items.add(new File([content], fileName));
+            const event = (type) => new DragEvent(type, { dataTransfer, bubbles: true, cancelable: true });
+            const stage = document.getElementById('stage');
+            stage.dispatchEvent(event('dragover'));
+            return stage.dispatchEvent(event('drop')); // false, so that the browser does not go to the file
+        }, [name, text]);
+        await startFrom('empty');
+        const isLeft = await drop('dropped.json', '{ "camera": { "eye": [0, 0, 8], "target": [0, 0, 0] }, "points": [{ "position": [0, 0, 0], "reach": 1 }] }');
+        await page.waitForFunction(() => document.querySelectorAll('#parts .part').length === 1);
+        expect(!isLeft, 'the browser goes to the file');
+        await drop('wrong.json', '{ "camera": 3 }');
+        await page.waitForFunction(() => /^wrong.json: camera: must be/.test(document.getElementById('message-text').textContent));
+        expect((await parts()).join() === 'Orb 1', `the list has ${await parts()}`);
+    },
     'an orthographic camera comes closer, in the picture and in the file': async () => {
         const scene = { camera: { eye: [0, 0, 8], target: [0, 0, 0], projection: 'orthographic', height: 4 }, points: [{ position: [0, 0, 0], core: 0.2, reach: 1, color: [1, 1, 1] }] };
         await openFile(asFile('flat.json', JSON.stringify(scene)));
@@ -300,6 +339,17 @@ const tests = {
         await page.waitForFunction(() => /evaluations a pixel/.test(document.getElementById('map-text').textContent));
         await look('cost');
         await page.selectOption('#map', '0');
+        await page.setViewportSize({ width: 560, height: 300 }); // the map of errors is slow
+        await startFrom('empty');
+        await page.click('#add-orb');
+        await page.selectOption('#map', '2');
+        await page.waitForFunction(() => /largest error/.test(document.getElementById('map-text').textContent));
+        await rests();
+        await look('error');
+        const [largest, most] = (await page.textContent('#map-text')).match(/[\d.]+e[-+]\d+/g).map(Number);
+        expect(largest > 0 && largest < 1e-2 && most <= 1e-3, `the errors are ${largest} and ${most}`);
+        await page.selectOption('#map', '0');
+        await page.setViewportSize(viewport);
         await rests();
     },
     'text has the contrast of WCAG AA': async () => {
