@@ -136,8 +136,10 @@ static const struct {
 void window_on_key(GLFWwindow *handle, int key, int scancode, int action, int mods)
 {
     demo_window *window = glfwGetWindowUserPointer(handle);
-    if (mods & GLFW_MOD_CONTROL) {
-        if (action != GLFW_RELEASE) window_edit_key(window, key, scancode, mods);
+    if (action == GLFW_RELEASE && key == window->command_key) window->command_key = 0;
+    if (action != GLFW_RELEASE && mods & GLFW_MOD_CONTROL) {
+        window->command_key = key;
+        window_edit_key(window, key, scancode, mods);
         return;
     }
     /* Of the keys that are held down, only those that step repeat. */

@@ -6,7 +6,7 @@
 
 static bool is_down(const demo_window *window, int key)
 {
-    return glfwGetKey(window->handle, key) == GLFW_PRESS;
+    return key != window->command_key && glfwGetKey(window->handle, key) == GLFW_PRESS;
 }
 
 void window_on_cursor(GLFWwindow *handle, double x, double y)
@@ -44,7 +44,7 @@ void window_on_scroll(GLFWwindow *handle, double x, double y)
 void window_fly(demo_window *window, double seconds)
 {
     static const int keys[3][2] = {{GLFW_KEY_A, GLFW_KEY_D}, {GLFW_KEY_Q, GLFW_KEY_E}, {GLFW_KEY_S, GLFW_KEY_W}};
-    /* Ctrl+S saves. */
+    /* Ctrl+S saves, and does not fly. */
     if (is_down(window, GLFW_KEY_LEFT_CONTROL) || is_down(window, GLFW_KEY_RIGHT_CONTROL)) return;
     const scene_camera *camera = &window_scene(window)->camera;
     double sight = 0, way[3];

@@ -47,6 +47,7 @@ typedef struct demo_window {
     camera_control camera;
     double cursor[2]; /* in the window's own units, which are larger than pixels on some screens */
     window_edit edit;
+    int command_key; /* went down with Ctrl, and does not fly until it is up, though Ctrl may be up before; 0 for none */
     display_mode mode, next_mode; /* of this frame, and from the next one on */
     bool split;
     render_settings integrators[2];

@@ -29,7 +29,7 @@ static const char *skip_value(const char *at)
         } else if (*at == '{' || *at == '[') {
             depth++;
             at++;
-        } else if (*at == '}' || *at == ']') {
+        } else if (depth > 0 && (*at == '}' || *at == ']')) {
             depth--;
             at++;
         } else {
@@ -121,7 +121,9 @@ static char *with_member(const char *text, text_span object, const char *key, co
     text_span space = {object.begin + 1, skip_spaces(object.begin + 1)};
     const char *end = NULL, *at = space.end;
     while (*at == '"') {
-        end = skip_value(skip_spaces(skip_spaces(skip_string(at)) + 1));
+        at = skip_spaces(skip_string(at));
+        if (*at != ':') return NULL;
+        end = skip_value(skip_spaces(at + 1));
         at = skip_spaces(end);
         if (*at != ',') break;
         space = (text_span){at + 1, skip_spaces(at + 1)};
