@@ -37,8 +37,7 @@ edit_panel edit_panel_of(const demo_scene *scene, const char *text, source_part 
     return panel;
 }
 
-/* ---- Where everything is --------------------------------------------------------------------------------------------------
- */
+/* ---- Where everything is ------------------------------------------------------------------------------------------------- */
 
 typedef struct rectangle {
     double x, y, width, height;
@@ -75,8 +74,7 @@ int edit_panel_slider_at(edit_place place, double x, double y)
     return EDIT_NO_SLIDER;
 }
 
-/* ---- Values ---------------------------------------------------------------------------------------------------------------
- */
+/* ---- Values -------------------------------------------------------------------------------------------------------------- */
 
 /* How far along its bar a value is, from 0 to 1. */
 static double share_of(const edit_slider *slider)
@@ -99,8 +97,7 @@ double edit_panel_value_at(const edit_panel *panel, int slider, edit_place place
     return strtod(digits, NULL);
 }
 
-/* ---- Drawing --------------------------------------------------------------------------------------------------------------
- */
+/* ---- Drawing ------------------------------------------------------------------------------------------------------------- */
 
 static void draw_slider(demo_overlay *overlay, const edit_slider *slider, rectangle row, double scale)
 {

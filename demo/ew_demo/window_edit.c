@@ -14,8 +14,7 @@ static const double click_distance = 4, point_distance = 9;
 
 static const double warning_seconds = 6;
 
-/* ---- The picture in the window --------------------------------------------------------------------------------------------
- */
+/* ---- The picture in the window ------------------------------------------------------------------------------------------- */
 
 static bool is_editable(const demo_window *window)
 {
@@ -79,8 +78,7 @@ static edit_panel panel_of(demo_window *window)
     return panel;
 }
 
-/* ---- Taking hold ----------------------------------------------------------------------------------------------------------
- */
+/* ---- Taking hold --------------------------------------------------------------------------------------------------------- */
 
 /* Takes the point that is seen nearest to the cursor, if it is near. */
 static bool take_point(demo_window *window)
@@ -149,8 +147,7 @@ static void select_at_cursor(demo_window *window)
     window->edit.has_selection = scene_pick(&seen, &ray, width, &window->edit.selected);
 }
 
-/* ---- Dragging -------------------------------------------------------------------------------------------------------------
- */
+/* ---- Dragging ------------------------------------------------------------------------------------------------------------ */
 
 /* The text with the held point where the cursor is, across the view. Its numbers are as fine as the pixels are. */
 static char *moved_point(demo_window *window)
@@ -195,8 +192,9 @@ void window_edit_release(demo_window *window)
 {
     char message[500];
     window_edit *edit = &window->edit;
-    if (!is_editable(window)) return;
-    if (edit->is_click && edit->grip == GRIP_NONE) select_at_cursor(window);
+    if (!window->options->scene) return;
+    /* What was taken before the panel was hidden is let go all the same. */
+    if (is_editable(window) && edit->is_click && edit->grip == GRIP_NONE) select_at_cursor(window);
     drag(window);
     if (!scene_document_commit(document_of(window), message, sizeof message)) window_notify(window, message);
     edit->grip = GRIP_NONE;
@@ -226,8 +224,7 @@ void window_edit_advance(demo_window *window)
     drag(window);
 }
 
-/* ---- Keys, and the end ----------------------------------------------------------------------------------------------------
- */
+/* ---- Keys, and the end --------------------------------------------------------------------------------------------------- */
 
 static bool can_be_drawn(void *user, const demo_scene *scene, char *message, size_t size)
 {

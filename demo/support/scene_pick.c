@@ -6,8 +6,7 @@
 /* Less light than this, where 1 is shown as white, is not what somebody clicks on. */
 static const double least_light = 0.02;
 
-/* ---- Opaque shapes: how far along the ray it meets them, in view depths -----------------------------------------------------
- */
+/* ---- Opaque shapes: how far along the ray it meets them, in view depths -------------------------------------------------- */
 
 static double meets_sphere(const camera_ray *ray, const double center[3], double radius)
 {
@@ -57,8 +56,7 @@ static double nearest_wall(const demo_scene *scene, const camera_ray *ray)
     return nearest;
 }
 
-/* ---- Sources ----------------------------------------------------------------------------------------------------------------
- */
+/* ---- Sources ------------------------------------------------------------------------------------------------------------- */
 
 /* The search along one source. */
 typedef struct pick_search {
