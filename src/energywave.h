@@ -367,6 +367,12 @@ typedef enum ew_output {
     /* C = 1 - (1 - Cb) exp(-sum B_i color_i), for each channel: it never clips, and runs from the colour to white without
      * contours. For targets that show what they hold, with colours in [0, 1]. The target's alpha stays as it is. */
     EW_OUTPUT_SOFT,
+    /* The light that falls on the opaque scene: C = (1 + E) Cb for each channel, with the irradiance E of ew_irradiance (see
+     * ew_get_shader_text) and the target's colour as the albedo. Draw it first, and the glow itself over it. It needs a
+     * light_reach and an opaque depth, from which it takes places and normals too; integrator, quality, resolution, interval
+     * and dither do not matter, nor do the sources' reaches. The target's alpha stays as it is. A target of 8 or 10 bits takes
+     * E only up to 1. */
+    EW_OUTPUT_SURFACES,
     /* B itself, in the red channel, without blending. For tone mapping by the host, and for tests. */
     EW_OUTPUT_LUMINANCE,
     /* How many times the shader evaluated the distance to a source for this pixel, in the red channel. For profiling. */
@@ -439,6 +445,10 @@ typedef struct ew_frame_desc {
     double core_pixels;
     /* A factor on all colours, in [0, 1e6]. */
     double exposure;
+    /* Of the light that sources shed on surfaces: the factor g on it, in [0, 1e6], and the distance from a source at which it
+     * ends, in world units; 0: there is no such light. See ew_irradiance at ew_get_shader_text. */
+    double light_gain;
+    double light_reach;
 
     ew_integrator integrator;
     ew_quality quality;
@@ -503,6 +513,7 @@ typedef struct ew_frame_desc {
             1, 1,                                                  /* decay_alpha, decay_beta */                               \
             EW_CORE_PIXELS_DEFAULT,                                /* core_pixels */                                           \
             1,                                                     /* exposure */                                              \
+            1, 0,                                                  /* light_gain, light_reach */                               \
             EW_INTEGRATOR_ADAPTIVE, EW_QUALITY_ERROR_1E_3, 200,    /* integrator, quality, simpson_divisions */                \
             EW_RESOLUTION_ADAPTIVE,                                /* resolution */                                            \
             EW_OUTPUT_SOFT,                                        /* output */                                                \
@@ -610,6 +621,19 @@ EW_API ew_result ew_prepare_step(ew_effect *effect, const ew_mix *mix, const ew_
  * interval may differ from the frame's and from ray to ray; it may be 1e-2 to 1e3 times as long as the frame's. The light of a
  * part of the ray, with the same decay, is a difference: the light up to the part's end minus the light up to its start, each
  * given as `opaque`.
+ *
+ * With a light_reach in the frame there is also
+ *
+ *     vec3 ew_irradiance(vec3 position, vec3 normal);
+ *
+ * the light that a surface at `position`, relative to the eye along the world's axes, receives from all sources as thin
+ * emitters along their shapes. l is the unit vector from the surface to a place C of the source, d its distance, r the core's
+ * radius, L the light_reach, g the light_gain, and the normal n a unit vector:
+ *
+ *     E = g sum of color_i c_i  integral along the source of  w max(0, n . l) (1 / m - m / L^2)^2 |dC|,    m = max(r, d) < L
+ *
+ * and of a point, r in the place of the integral of w |dC|. A diffuse surface shines with its albedo times E. In the papers'
+ * integral, coefficients count as they are, without alpha. Error 1e-2 of the picture's largest.
  *
  * All names in the text start with ew_ or EW_. In OpenGL ES, floats and ints are highp from there on. The text has no samplers,
  * reads no built-in variables, and has one uniform block, `ew_uniforms`:

@@ -21,6 +21,8 @@ struct ew_frame_block {
     vec4 ray_space_z;  // its z
     vec4 core_floor;   // x: squared growth of the least core radius with view depth, y: view depth of the anchor; z: its square
                        // where the view is parallel, both in units of ray space
+    vec4 light;        // of sources on surfaces: x: the gain, in the unit of ray space, y: the reach; zw: half of the viewport's size
+                       // in pixels
     ivec4 simpson;     // x: number of divisions
 };
 

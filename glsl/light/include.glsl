@@ -11,6 +11,14 @@ vec3 ew_to_ray_space(vec3 v, float w)
     return vec3(dot(ew_frame.ray_space_x, place), dot(ew_frame.ray_space_y, place), dot(ew_frame.ray_space_z, place));
 }
 
+#ifdef EW_IRRADIANCE
+// The light of all sources that a surface at `position` with the unit normal `normal` receives: see emitter.glsl.
+vec3 ew_irradiance(vec3 position, vec3 normal)
+{
+    return ew_irradiance_of_all(ew_surface(ew_to_ray_space(position, 1.0), normalize(ew_to_ray_space(normal, 0.0))));
+}
+#endif
+
 #ifdef EW_WORLD
 // The light of the ray from `origin` on, sum B_i color_i, and B as the fourth component. Cores are as wide as pixels by the view depth
 // along the ray, which is taken not to fall.

@@ -91,9 +91,15 @@ static void draw_quad(void *user)
     drawing->gl->DrawArrays(GL_TRIANGLE_STRIP, drawing->is_ahead ? EW_QUAD_VERTICES : 0, EW_QUAD_VERTICES);
 }
 
+/* The pass that draws a plan without a grid. */
+static ew_pass whole_pass(const ew_plan *plan)
+{
+    return plan->draws_surfaces ? EW_PASS_SURFACES : EW_PASS_WAVE;
+}
+
 static void draw_every_pixel(ew_drawing *drawing)
 {
-    const GLuint program = drawing->programs.names[EW_PASS_WAVE];
+    const GLuint program = drawing->programs.names[whole_pass(drawing->plan)];
     drawing->gl->UseProgram(program);
     ew_gl_set_viewport(drawing->gl, &drawing->plan->lit);
     if (drawing->depth->samples > 0)
@@ -122,17 +128,18 @@ static bool draw_on_grid(ew_grid *grid, const ew_drawing *drawing, ew_gl_state *
 static ew_gl_draw_state draw_state(const ew_target *target)
 {
     static const struct {
-        GLenum destination_rgb, source_alpha, destination_alpha;
-    } factors[] = {[EW_BLEND_REPLACE] = {GL_ONE, GL_ZERO, GL_ONE},
-                   [EW_BLEND_OVER] = {GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA},
-                   [EW_BLEND_ADD] = {GL_ONE, GL_ZERO, GL_ONE},
-                   [EW_BLEND_SOFT] = {GL_ONE_MINUS_SRC_COLOR, GL_ZERO, GL_ONE}};
+        GLenum source_rgb, destination_rgb, source_alpha, destination_alpha;
+    } factors[] = {[EW_BLEND_REPLACE] = {GL_ONE, GL_ONE, GL_ZERO, GL_ONE},
+                   [EW_BLEND_OVER] = {GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA},
+                   [EW_BLEND_ADD] = {GL_ONE, GL_ONE, GL_ZERO, GL_ONE},
+                   [EW_BLEND_SOFT] = {GL_ONE, GL_ONE_MINUS_SRC_COLOR, GL_ZERO, GL_ONE},
+                   [EW_BLEND_LIGHT] = {GL_DST_COLOR, GL_ONE, GL_ZERO, GL_ONE}};
     const ew_viewport *viewport = &target->viewport;
     return (ew_gl_draw_state){
         .framebuffer = target->framebuffer,
         .viewport = {viewport->x, viewport->y, viewport->width, viewport->height},
         .blend = target->blend != EW_BLEND_REPLACE,
-        .source_rgb = GL_ONE,
+        .source_rgb = factors[target->blend].source_rgb,
         .destination_rgb = factors[target->blend].destination_rgb,
         .source_alpha = factors[target->blend].source_alpha,
         .destination_alpha = factors[target->blend].destination_alpha,
@@ -182,7 +189,7 @@ static ew_result find_programs(ew_device *device, const plan_task *task, bool on
 {
     *steps_left = 0;
     for (int pass = 0; pass < EW_PASS_COUNT; ++pass) {
-        if ((pass == EW_PASS_WAVE) == on_grid) continue;
+        if (on_grid ? !ew_pass_is_of_grid((ew_pass)pass) : (ew_pass)pass != whole_pass(task->plan)) continue;
         if (*steps_left > 0 && !device->gl.parallel_shader_compile) {
             *steps_left += ew_program_steps(&device->programs[pass], ew_permutation_of_pass((ew_pass)pass, key));
             continue;

@@ -81,13 +81,10 @@ static unsigned with_kinds(unsigned key, unsigned kinds, size_t first)
 
 /* ---- Shaders of the library ---- */
 
-static const char *const pass_names[EW_PASS_COUNT] = {[EW_PASS_WAVE] = "",
-                                                      [EW_PASS_NODES] = "nodes-",
-                                                      [EW_PASS_FIELD] = "field-",
-                                                      [EW_PASS_PEAK] = "peak-",
-                                                      [EW_PASS_CLASSES] = "classes-",
-                                                      [EW_PASS_CELLS] = "cells-",
-                                                      [EW_PASS_INTERPOLATION] = "interpolation-"};
+static const char *const pass_names[EW_PASS_COUNT] = {[EW_PASS_WAVE] = "",        [EW_PASS_SURFACES] = "surfaces-",
+                                                      [EW_PASS_NODES] = "nodes-", [EW_PASS_FIELD] = "field-",
+                                                      [EW_PASS_PEAK] = "peak-",   [EW_PASS_CLASSES] = "classes-",
+                                                      [EW_PASS_CELLS] = "cells-", [EW_PASS_INTERPOLATION] = "interpolation-"};
 
 static void write_pass(const shader_profile *profile, ew_pass pass, unsigned key)
 {

@@ -1,0 +1,46 @@
+// The normals of opaque surfaces, from their depth.
+
+// In ray space.
+vec3 ew_position_of(vec2 pixel, float depth)
+{
+    ew_segment segment = ew_pixel_segment(pixel);
+    return segment.origin + ew_end_of_ray(ew_parameter_of_depth(pixel, depth)) * segment.direction;
+}
+
+float ew_depth_beside(ivec2 place, int sample_index)
+{
+#ifdef EW_DEPTH_MULTISAMPLE
+    return ew_window_depth(place, sample_index);
+#else
+    return ew_window_depth(place);
+#endif
+}
+
+// How badly the pixel goes on from `place`, of window depth `depth`, to its neighbour at `step`: how much depth bends on the way to the
+// one behind. Depth is linear across a plane. Beyond the viewport there is none of this picture.
+float ew_bend_of_depth(ivec2 place, ivec2 step, float depth, int sample_index)
+{
+    vec2 from_center = abs(vec2(place + 2 * step) + 0.5 - ew_frame.pixel_center.xy);
+    if (from_center.x >= ew_frame.light.z || from_center.y >= ew_frame.light.w) return 1e30;
+    float near = ew_depth_beside(place + step, sample_index);
+    return abs(depth - 2.0 * near + ew_depth_beside(place + 2 * step, sample_index));
+}
+
+// From the surface at a pixel along `axis`, towards the neighbour that lies on the same surface, if either does.
+vec3 ew_tangent_of(ivec2 place, ivec2 axis, float depth, vec3 position, int sample_index)
+{
+    bool is_back = ew_bend_of_depth(place, -axis, depth, sample_index) < ew_bend_of_depth(place, axis, depth, sample_index);
+    ivec2 beside = place + (is_back ? -axis : axis);
+    vec3 other = ew_position_of(vec2(beside) + 0.5 - ew_frame.pixel_center.xy, ew_depth_beside(beside, sample_index));
+    return is_back ? position - other : other - position;
+}
+
+// The unit normal of the surface at a pixel, towards the eye.
+vec3 ew_normal_of(ivec2 place, float depth, vec3 position, int sample_index)
+{
+    vec3 right = ew_tangent_of(place, ivec2(1, 0), depth, position, sample_index);
+    vec3 up = ew_tangent_of(place, ivec2(0, 1), depth, position, sample_index);
+    vec3 normal = cross(right, up);
+    float facing = dot(normal, ew_pixel_segment(vec2(place) + 0.5 - ew_frame.pixel_center.xy).direction);
+    return normal * (facing > 0.0 ? -1.0 : 1.0) * inversesqrt(max(dot(normal, normal), 1e-30));
+}
