@@ -150,8 +150,32 @@ static void write_all_integrals(const shader_profile *profile)
 static void write_grid_passes(const shader_profile *profile, unsigned key)
 {
     if (key & EW_PERMUTATION_EVALUATIONS) return;
-    for (int pass = EW_PASS_WAVE + 1; pass < EW_PASS_COUNT; ++pass)
-        write_pass(profile, (ew_pass)pass, key);
+    for (int pass = 0; pass < EW_PASS_COUNT; ++pass)
+        if (ew_pass_is_of_grid((ew_pass)pass)) write_pass(profile, (ew_pass)pass, key);
+}
+
+/* What the light on surfaces may know of its sources beside their kinds. */
+static const unsigned emitters[] = {
+    EW_PERMUTATION_IRRADIANCE | EW_PERMUTATION_WORLD,
+    EW_PERMUTATION_IRRADIANCE | EW_PERMUTATION_WORLD | EW_PERMUTATION_REACH,
+    EW_PERMUTATION_IRRADIANCE | EW_PERMUTATION_WORLD | EW_PERMUTATION_REACH | EW_PERMUTATION_WEIGHTS,
+    EW_PERMUTATION_IRRADIANCE | EW_PERMUTATION_WORLD | EW_PERMUTATION_REACH | EW_PERMUTATION_JOINTS,
+    EW_PERMUTATION_IRRADIANCE | EW_PERMUTATION_WORLD | EW_PERMUTATION_REACH | EW_PERMUTATION_JOINTS | EW_PERMUTATION_BENDS |
+        EW_PERMUTATION_WEIGHTS,
+};
+
+/* The light on surfaces: of the kinds one by one, and of all at once. */
+static void write_surfaces(const shader_profile *profile)
+{
+    static const unsigned depths[] = {EW_PERMUTATION_DEPTH, EW_PERMUTATION_DEPTH | EW_PERMUTATION_DEPTH_MULTISAMPLE};
+    for (size_t depth = 0; depth < sizeof depths / sizeof depths[0]; ++depth)
+        for (size_t i = 0; i < sizeof emitters / sizeof emitters[0]; ++i) {
+            unsigned key = depths[depth] | emitters[i], many = ew_permutation_with_lists(key);
+            for (int kind = 0; kind < EW_KIND_COUNT; ++kind)
+                write_pass(profile, EW_PASS_SURFACES, ew_permutation_with_count(key, kind, 1));
+            write_pass(profile, EW_PASS_SURFACES, with_kinds(many, all_kinds, EW_ANY_COUNT));
+            write_pass(profile, EW_PASS_SURFACES, with_kinds(many | EW_PERMUTATION_SOURCE_TEXTURE, all_kinds, EW_ANY_COUNT));
+        }
 }
 
 /* All that main() can do, with each field: without sources, and with all kinds. */
@@ -198,7 +222,9 @@ static void write_include(const shader_profile *profile, unsigned key)
                                    interval,
                                    "1.0);\ncolor.a = ew_luminance(vec3(0.0), vec3(1.0), ",
                                    interval,
-                                   "1.0);\n}\n"};
+                                   "1.0);\n",
+                                   key & EW_PERMUTATION_IRRADIANCE ? "color.rgb += ew_irradiance(vec3(0.0), vec3(1.0));\n" : "",
+                                   "}\n"};
     write_strings(profile->name, "include-", key, "frag", strings, sizeof strings / sizeof strings[0]);
     free(joined);
 }
@@ -215,7 +241,8 @@ static void write_includes(const shader_profile *profile)
                 write_include(profile, ew_permutation_with_count(flags, kind, (size_t)kind % 2 + 1));
                 if (!simpson) write_grid_passes(profile, ew_permutation_with_count(flags, kind, (size_t)kind % 2 + 1));
             }
-            write_include(profile, with_kinds(flags | extras, all_kinds, EW_ANY_COUNT));
+            for (unsigned lit = 0; lit <= EW_PERMUTATION_IRRADIANCE; lit += EW_PERMUTATION_IRRADIANCE)
+                write_include(profile, with_kinds(flags | extras | lit, all_kinds, EW_ANY_COUNT));
         }
 }
 
@@ -238,6 +265,7 @@ int main(int argc, char **argv)
     for (size_t i = 0; i < sizeof profiles / sizeof profiles[0]; ++i) {
         write_all_integrals(&profiles[i]);
         write_passes(&profiles[i]);
+        write_surfaces(&profiles[i]);
         if (profiles[i].include_version) write_includes(&profiles[i]);
     }
     return EXIT_SUCCESS;

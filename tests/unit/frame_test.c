@@ -48,6 +48,7 @@ static void the_defaults_are_those_of_their_members(void **state)
     assert_true(frame.interval_start == 0 && frame.interval_end == 0);
     assert_true(frame.decay_alpha == 1 && frame.decay_beta == 1 && frame.exposure == 1);
     assert_true(frame.core_pixels == EW_CORE_PIXELS_DEFAULT);
+    assert_true(frame.light_gain == 1 && frame.light_reach == 0);
     assert_int_equal(frame.integrator, EW_INTEGRATOR_ADAPTIVE);
     assert_int_equal(frame.quality, EW_QUALITY_ERROR_1E_3);
     assert_int_equal(frame.simpson_divisions, 200);
@@ -102,6 +103,8 @@ static void every_number_that_is_not_finite_is_refused_by_name(void **state)
         {&frame.decay_beta, "decay_beta"},
         {&frame.core_pixels, "core_pixels"},
         {&frame.exposure, "exposure"},
+        {&frame.light_gain, "light_gain"},
+        {&frame.light_reach, "light_reach"},
     };
     const double bad[] = {(double)NAN, (double)INFINITY, -(double)INFINITY};
     for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; ++i) {
