@@ -418,6 +418,14 @@ typedef enum ew_depth_source {
     EW_DEPTH_TEXTURE_LINEAR,
 } ew_depth_source;
 
+/* How a texture has unit normals n. */
+typedef enum ew_normal_encoding {
+    EW_NORMAL_WORLD,        /* n along the axes of the world, of a signed format */
+    EW_NORMAL_VIEW,         /* n along the axes of the view */
+    EW_NORMAL_WORLD_BIASED, /* (n + 1) / 2, of an unsigned format */
+    EW_NORMAL_VIEW_BIASED,
+} ew_normal_encoding;
+
 /* One frame. Start from EW_FRAME_DEFAULTS and set the camera and the target. The defaults suit a window of 8 bits a channel: a
  * composite that does not clip, with dither. For a float target set `encoding`, and an output that keeps what is above 1. */
 typedef struct ew_frame_desc {
@@ -449,6 +457,9 @@ typedef struct ew_frame_desc {
      * ends, in world units; 0: there is no such light. See ew_irradiance at ew_get_shader_text. */
     double light_gain;
     double light_reach;
+    /* Of EW_OUTPUT_SURFACES: 0: without shadows. Else how thick, in world units, opaque things are taken to be, of which depth
+     * tells the front alone; what passes deeper behind that is lit. */
+    double shadow_thickness;
 
     ew_integrator integrator;
     ew_quality quality;
@@ -476,6 +487,11 @@ typedef struct ew_frame_desc {
     /* The texture, if `depth_source` is one of the textures; ignored otherwise. It must not be attached to `framebuffer`:
      * reading a texture while drawing to it is undefined in GL. */
     unsigned depth_texture;
+    /* Of EW_OUTPUT_SURFACES: level 0 of a 2D texture with the unit normals of opaque surfaces in its red, green and blue
+     * channels, pixel by pixel as depth_texture, and what `normal_encoding` says of it. Its filters do not matter, its swizzle
+     * and base level do. It must not be attached to `framebuffer`. 0: normals are found from depth. */
+    unsigned normal_texture;
+    ew_normal_encoding normal_encoding;
 
     /* 1: the host's stencil test stays as it is, on or off, so that light is drawn only where a portal or a mirror is, say. Its
      * operations apply, too, wherever the effect draws, which leaves out much of what no source can light; the host sets the
@@ -513,13 +529,14 @@ typedef struct ew_frame_desc {
             1, 1,                                                  /* decay_alpha, decay_beta */                               \
             EW_CORE_PIXELS_DEFAULT,                                /* core_pixels */                                           \
             1,                                                     /* exposure */                                              \
-            1, 0,                                                  /* light_gain, light_reach */                               \
+            1, 0, 0,                                               /* light_gain, light_reach, shadow_thickness */             \
             EW_INTEGRATOR_ADAPTIVE, EW_QUALITY_ERROR_1E_3, 200,    /* integrator, quality, simpson_divisions */                \
             EW_RESOLUTION_ADAPTIVE,                                /* resolution */                                            \
             EW_OUTPUT_SOFT,                                        /* output */                                                \
             0, 0, 0, 0, 0,                                         /* framebuffer, viewport_x, _y, _width, _height */          \
             EW_ENCODING_LINEAR_8BIT, 1,                            /* encoding, dither */                                      \
             EW_DEPTH_TEXTURE, 0,                                   /* depth_source, depth_texture */                           \
+            0, EW_NORMAL_WORLD,                                    /* normal_texture, normal_encoding */                       \
             0, 0                                                   /* keep_stencil_test, skip_restore */                       \
     }
 

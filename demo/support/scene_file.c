@@ -170,13 +170,14 @@ static void read_factor(json_reader *r, const json_value *root, const char *key,
 /* How the sources light the opaque shapes; without it, they do not. */
 static void read_light(json_reader *r, const json_value *root, demo_scene *scene)
 {
-    static const char *const keys[] = {"gain", "reach", NULL};
+    static const char *const keys[] = {"gain", "reach", "shadow_thickness", NULL};
     scene->light_gain = 1;
     json_value object = reader_member(r, root, "light", OPTIONAL);
     if (!object.json) return;
     reader_check_keys(r, &object, keys);
     read_factor(r, &object, "gain", 1e6, &scene->light_gain);
     reader_number_member(r, &object, "reach", REQUIRED, POSITIVE, &scene->light_reach);
+    read_factor(r, &object, "shadow_thickness", 1e30, &scene->shadow_thickness);
 }
 
 static void read_look(json_reader *r, const json_value *root, demo_scene *scene)

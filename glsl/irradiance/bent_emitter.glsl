@@ -68,6 +68,12 @@ float ew_light_of_part(ew_surface surface, ew_emitter emitter, vec2 part, float 
         sum += gauss_weights[i] * step * ew_emitter_weight(emitter, tau) *
                ew_light_at(surface, ew_emitter_place(emitter, tau), core);
     }
+#ifdef EW_SHADOWS
+    vec4 shares = ew_shares_in_part(half_angle * sum);
+    for (int i = 0; i < EW_PICK_COUNT; ++i)
+        if (shares[i] >= 0.0 && shares[i] < 1.0)
+            ew_picked[i] = ew_emitter_place(emitter, peak + width * tan(mix(angles.x, angles.y, shares[i])));
+#endif
     return half_angle * sum;
 }
 
@@ -78,9 +84,12 @@ float ew_light_of_near_part(ew_surface surface, ew_emitter emitter, vec2 part, f
     float quarter = 0.25 * (part.y - part.x);
     for (int i = 0; i < 2; ++i) {
         float middle = part.x + quarter * float(2 * i + 1);
-        sum += ew_emitter_weight(emitter, middle) *
-               ew_light_of_nearly_straight(surface, ew_emitter_place(emitter, middle - quarter), ew_emitter_place(emitter, middle),
-                                           ew_emitter_place(emitter, middle + quarter), core);
+        vec3 start = ew_emitter_place(emitter, middle - quarter);
+        vec3 end = ew_emitter_place(emitter, middle + quarter);
+        float light = ew_emitter_weight(emitter, middle) *
+                      ew_light_of_nearly_straight(surface, start, ew_emitter_place(emitter, middle), end, core);
+        EW_PICK_BETWEEN(light, start, end);
+        sum += light;
     }
     return sum;
 }

@@ -25,6 +25,14 @@ float ew_light_reach()
     return ew_frame.light.y;
 }
 
+#ifdef EW_SHADOWS
+// How thick things are taken to be that cast shadows.
+float ew_shadow_thickness()
+{
+    return ew_frame.core_floor.w;
+}
+#endif
+
 // k(d), from d^2.
 float ew_light_falloff(float distance_squared, float core)
 {
@@ -39,3 +47,38 @@ float ew_light_at(ew_surface surface, vec3 offset, float core)
     float distance_squared = ew_length_squared(offset);
     return max(dot(surface.normal, offset), 0.0) * inversesqrt(max(distance_squared, 1e-30)) * ew_light_falloff(distance_squared, core);
 }
+
+#ifdef EW_SHADOWS
+// Places of a source that shed equal shares of its light: shadows are looked for on the way to these. A source's integral runs
+// twice. The first time says how much there is, and the second picks the places where the sum passes the shares' middles.
+const int EW_PICK_COUNT = 4;
+vec4 ew_pick_sums = vec4(-1.0); // at which to pick
+float ew_pick_sum = 0.0;        // of all parts so far
+vec3 ew_picked[EW_PICK_COUNT];  // relative to the surface
+
+// How far into a part of that much light each place lies, as a share of the light; beyond [0, 1) if in none of it.
+vec4 ew_shares_in_part(float light)
+{
+    vec4 shares = (ew_pick_sums - ew_pick_sum) / max(light, 1e-30);
+    ew_pick_sum += light;
+    return mix(shares, vec4(-1.0), lessThan(ew_pick_sums, vec4(0.0)));
+}
+
+// Picks from a straight part, whose light is about even over the angle under which it is seen.
+void ew_pick_between(float light, vec3 start, vec3 end)
+{
+    vec4 shares = ew_shares_in_part(light);
+    vec3 way = end - start;
+    float way2 = max(ew_length_squared(way), 1e-30);
+    float foot = -dot(start, way) / way2;
+    float width = max(length(start + foot * way) / sqrt(way2), 1e-6);
+    vec2 angles = atan((vec2(0.0, 1.0) - foot) / width);
+    for (int i = 0; i < EW_PICK_COUNT; ++i) {
+        float t = clamp(foot + width * tan(mix(angles.x, angles.y, shares[i])), 0.0, 1.0);
+        if (shares[i] >= 0.0 && shares[i] < 1.0) ew_picked[i] = start + t * way;
+    }
+}
+#define EW_PICK_BETWEEN(light, start, end) ew_pick_between(light, start, end)
+#else
+#define EW_PICK_BETWEEN(light, start, end)
+#endif

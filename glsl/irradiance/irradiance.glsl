@@ -3,7 +3,28 @@
 // Irradiances are cut here, far above what any target shows, so that sums and products of them stay finite.
 const float EW_MAX_IRRADIANCE = 1e30;
 
-#define EW_SHINE(block, read) block source = read(EW_PLACE(i)); sum += ew_shine(source.color, ew_irradiance_of(surface, source)); ++i;
+#ifdef EW_SHADOWS
+// Less light than this, of a source on a white surface, casts no shadow: it is less than the step of a target of 8 bits.
+const float EW_LEAST_SHADED = 2e-3;
+
+// Where between their ends this pixel picks from equal shares of the light.
+float ew_pick_offset = 0.5;
+
+// The share of the picked places from which light gets to the surface: see shadow.glsl.
+float ew_visible_share(ew_surface surface, float core);
+
+void ew_start_picking(float light)
+{
+    for (int i = 0; i < EW_PICK_COUNT; ++i)
+        ew_pick_sums[i] = light * (float(i) + ew_pick_offset) / float(EW_PICK_COUNT);
+    ew_pick_sum = 0.0;
+}
+#define EW_CAST(source) if (light * source.color.w * ew_light_gain() > EW_LEAST_SHADED) { ew_start_picking(light); ew_irradiance_of(surface, source); light *= ew_visible_share(surface, source.glow.x); ew_pick_sums = vec4(-1.0); }
+#else
+#define EW_CAST(source)
+#endif
+
+#define EW_SHINE(block, read) block source = read(EW_PLACE(i)); float light = ew_irradiance_of(surface, source); EW_CAST(source) sum += ew_shine(source.color, light); ++i;
 #undef EW_ADD_KIND
 #define EW_ADD_KIND(block, read, kind, count) EW_EACH(kind, count, if (i < end) { do { EW_SHINE(block, read) } while (i < end); })
 

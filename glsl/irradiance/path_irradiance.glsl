@@ -12,7 +12,9 @@ float ew_light_of_straight_piece(ew_surface surface, ew_path_block path, vec4 st
         return ew_light_of_emitter(surface, emitter, false, path.glow.x);
     }
 #endif
-    return ew_light_of_segment(surface, from, to, path.glow.x);
+    float light = ew_light_of_segment(surface, from, to, path.glow.x);
+    EW_PICK_BETWEEN(light, from, to);
+    return light;
 }
 
 float ew_irradiance_of(ew_surface surface, ew_path_block path)

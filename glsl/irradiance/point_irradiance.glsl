@@ -2,5 +2,8 @@
 float ew_irradiance_of(ew_surface surface, ew_point_block point)
 {
     float core = point.glow.x;
-    return core * ew_light_at(surface, point.position.xyz - surface.position, core);
+    vec3 offset = point.position.xyz - surface.position;
+    float light = core * ew_light_at(surface, offset, core);
+    EW_PICK_BETWEEN(light, offset, offset);
+    return light;
 }

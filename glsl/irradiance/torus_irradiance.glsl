@@ -40,9 +40,20 @@ vec3 ew_circle_place(ew_circle circle, vec2 turned)
 float ew_light_of_near_arc(ew_surface surface, ew_circle circle, vec2 part, float core)
 {
     float middle = 0.5 * (part.x + part.y);
-    return ew_light_of_nearly_straight(surface, ew_circle_place(circle, vec2(cos(part.x), sin(part.x))),
-                                       ew_circle_place(circle, vec2(cos(middle), sin(middle))),
-                                       ew_circle_place(circle, vec2(cos(part.y), sin(part.y))), core) / circle.radius;
+    vec3 start = ew_circle_place(circle, vec2(cos(part.x), sin(part.x)));
+    vec3 end = ew_circle_place(circle, vec2(cos(part.y), sin(part.y)));
+    vec3 between = ew_circle_place(circle, vec2(cos(middle), sin(middle)));
+    float light = ew_light_of_nearly_straight(surface, start, between, end, core) / circle.radius;
+    EW_PICK_BETWEEN(light, start, end);
+    return light;
+}
+
+// cos and sin of phi at theta. tan(phi / 2) is `ratio` times tan(theta). Also returns the phi that a radian of theta takes.
+vec3 ew_turn_circle(float ratio, float theta)
+{
+    float c = cos(theta);
+    float s = ratio * sin(theta);
+    return vec3((c - s) * (c + s), 2.0 * c * s, 2.0 * ratio) / (c * c + s * s);
 }
 
 // The same of a part on one side, between -pi and 0 or between 0 and pi.
@@ -59,14 +70,15 @@ float ew_light_of_arc(ew_surface surface, ew_circle circle, vec2 part, float cor
     float mean_angle = 0.5 * (angles.x + angles.y);
     float sum = 0.0;
     for (int i = 0; i < 6; ++i) {
-        float theta = mean_angle + half_angle * nodes[i];
-        float c = cos(theta);
-        float s = ratio * sin(theta);
-        float norm = c * c + s * s;
-        // cos and sin of phi, from those of phi / 2.
-        vec2 turned = vec2((c - s) * (c + s), 2.0 * c * s) / norm;
-        sum += gauss_weights[i] * 2.0 * ratio / norm * ew_light_at(surface, ew_circle_place(circle, turned), core);
+        vec3 turned = ew_turn_circle(ratio, mean_angle + half_angle * nodes[i]);
+        sum += gauss_weights[i] * turned.z * ew_light_at(surface, ew_circle_place(circle, turned.xy), core);
     }
+#ifdef EW_SHADOWS
+    vec4 shares = ew_shares_in_part(half_angle * sum);
+    for (int i = 0; i < EW_PICK_COUNT; ++i)
+        if (shares[i] >= 0.0 && shares[i] < 1.0)
+            ew_picked[i] = ew_circle_place(circle, ew_turn_circle(ratio, mix(angles.x, angles.y, shares[i])).xy);
+#endif
     return half_angle * sum;
 }
 

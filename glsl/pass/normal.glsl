@@ -1,4 +1,4 @@
-// The normals of opaque surfaces, from their depth.
+// The normals of opaque surfaces: the host's, or from their depth.
 
 // In ray space.
 vec3 ew_position_of(vec2 pixel, float depth)
@@ -16,6 +16,22 @@ float ew_depth_beside(ivec2 place, int sample_index)
 #endif
 }
 
+#ifdef EW_NORMALS
+uniform sampler2D ew_normal_texture;
+
+// The unit normal of the surface at a pixel, as the host has it; 0 where that is none.
+vec3 ew_normal_of(ivec2 place, float depth, vec3 position, int sample_index)
+{
+    vec3 normal = texelFetch(ew_normal_texture, place, 0).xyz;
+    if (ew_frame.choices.y >= 2) normal = 2.0 * normal - 1.0;
+    vec3 turned = vec3(dot(ew_frame.ray_space_x.xyz, normal), dot(ew_frame.ray_space_y.xyz, normal), dot(ew_frame.ray_space_z.xyz, normal));
+    if ((ew_frame.choices.y & 1) == 0) normal = turned;
+    float length_squared = dot(normal, normal);
+    // A NaN, which is recognised by its bits, is none either.
+    bool is_normal = length_squared > 0.0 && (floatBitsToInt(length_squared) & 0x7fffffff) < 0x7f800000;
+    return is_normal ? normal * inversesqrt(length_squared) : vec3(0.0);
+}
+#else
 // How badly the pixel goes on from `place`, of window depth `depth`, to its neighbour at `step`: how much depth bends on the way to the
 // one behind. Depth is linear across a plane. Beyond the viewport there is none of this picture.
 float ew_bend_of_depth(ivec2 place, ivec2 step, float depth, int sample_index)
@@ -44,3 +60,4 @@ vec3 ew_normal_of(ivec2 place, float depth, vec3 position, int sample_index)
     float facing = dot(normal, ew_pixel_segment(vec2(place) + 0.5 - ew_frame.pixel_center.xy).direction);
     return normal * (facing > 0.0 ? -1.0 : 1.0) * inversesqrt(max(dot(normal, normal), 1e-30));
 }
+#endif

@@ -18,6 +18,9 @@ void main()
 #ifdef EW_LISTS
     ew_tile_row = ew_find_tile_row(place - ew_grid.viewport.xy);
 #endif
+#ifdef EW_SHADOWS
+    ew_pick_offset = ew_gradient_noise(gl_FragCoord.xy);
+#endif
     vec3 light = vec3(0.0);
 #ifdef EW_DEPTH_MULTISAMPLE
     for (int i = ew_samples.x; i < ew_samples.y; ++i)

@@ -5,6 +5,7 @@
 #include "host/sample_passes.h"
 #include "host/state_guard.h"
 #include "host/target_check.h"
+#include "host/texture_check.h"
 
 ew_result ew_device_create(ew_device *device, const ew_effect_desc *desc, ew_error *error)
 {
@@ -161,7 +162,24 @@ static ew_result check_names(const ew_gl *gl, const ew_plan *plan, ew_error *err
                        "this context is older");
     if (depth->source != EW_DEPTH_FRAMEBUFFER && depth->texture && !gl->IsTexture(depth->texture))
         return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "depth_texture %u is no texture", depth->texture);
+    if (plan->normal_texture && !gl->IsTexture(plan->normal_texture))
+        return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "normal_texture %u is no texture", plan->normal_texture);
     return EW_OK;
+}
+
+/* Binds the host's normals, if the plan has any. */
+static ew_result bind_normals(const ew_device *device, const ew_plan *plan, ew_error *error)
+{
+    const ew_gl *gl = &device->gl;
+    GLint bound = 0;
+    if (plan->normal_texture == 0) return EW_OK;
+    gl->ActiveTexture(GL_TEXTURE0 + EW_GL_NORMAL_TEXTURE_UNIT);
+    gl->BindSampler(EW_GL_NORMAL_TEXTURE_UNIT, device->depth_sampler);
+    gl->BindTexture(GL_TEXTURE_2D, plan->normal_texture);
+    gl->GetIntegerv(GL_TEXTURE_BINDING_2D, &bound);
+    if ((GLuint)bound == plan->normal_texture) return ew_normal_check(gl, plan, error);
+    gl->GetError();
+    return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "normal_texture %u is no GL_TEXTURE_2D", plan->normal_texture);
 }
 
 /* What is done with a plan within the guard: ew_execute's part, or ew_execute_ahead's. */
@@ -222,7 +240,8 @@ static ew_result draw(ew_device *device, const plan_task *task, bool on_grid, un
 {
     const ew_gl *gl = &device->gl;
     ew_depth_input depth;
-    ew_result result = ew_depth_input_bind(&device->depth_copy, gl, task->plan, depth_kind, &depth, error);
+    ew_result result = bind_normals(device, task->plan, error);
+    if (result == EW_OK) result = ew_depth_input_bind(&device->depth_copy, gl, task->plan, depth_kind, &depth, error);
     if (result != EW_OK) return result;
     gl->BindSampler(EW_GL_DEPTH_TEXTURE_UNIT, device->depth_sampler);
     fill_uniform_buffer(device, task->plan);

@@ -75,6 +75,8 @@ static ew_result check_look(const ew_frame_desc *frame, ew_error *error)
         return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "light_gain must be in [0, %g]", EW_MAX_LIGHT_GAIN);
     if (!(frame->light_reach >= 0 && isfinite(frame->light_reach)))
         return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "light_reach must be finite and >= 0");
+    if (!(frame->shadow_thickness >= 0 && isfinite(frame->shadow_thickness)))
+        return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "shadow_thickness must be finite and >= 0");
     if (!(frame->exposure >= 0 && frame->exposure <= EW_MAX_EXPOSURE))
         return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "exposure must be in [0, %g]", EW_MAX_EXPOSURE);
     return EW_OK;
@@ -121,6 +123,7 @@ ew_result ew_check_target(const ew_frame_desc *frame, ew_error *error)
         {(int)frame->depth_source, EW_DEPTH_TEXTURE_LINEAR, "depth_source must be one of ew_depth_source"},
         {(int)frame->resolution, EW_RESOLUTION_ADAPTIVE, "resolution must be one of ew_resolution"},
         {frame->dither, 1, "dither must be 0 or 1"},
+        {(int)frame->normal_encoding, EW_NORMAL_VIEW_BIASED, "normal_encoding must be an ew_normal_encoding"},
         {frame->keep_stencil_test, 1, "keep_stencil_test must be 0 or 1"},
         {frame->skip_restore, 1, "skip_restore must be 0 or 1"},
     };

@@ -30,9 +30,11 @@ static unsigned dither_of(const ew_frame_desc *frame)
     return EW_PERMUTATION_DITHER | (frame->encoding == EW_ENCODING_SRGB_8BIT ? (unsigned)EW_PERMUTATION_DITHER_SRGB : 0);
 }
 
-static unsigned emitters_of(const ew_mix *mix)
+static unsigned emitters_of(const ew_mix *mix, const ew_frame_desc *frame)
 {
     unsigned key = EW_PERMUTATION_IRRADIANCE | EW_PERMUTATION_WORLD;
+    if (frame->shadow_thickness > 0) key |= EW_PERMUTATION_SHADOWS;
+    if (frame->normal_texture != 0) key |= EW_PERMUTATION_NORMALS;
     if (mix->has_reach) key |= EW_PERMUTATION_REACH;
     return key;
 }
@@ -66,7 +68,7 @@ double ew_mix_cost(const ew_mix *mix)
 
 unsigned ew_permutation_of(const ew_mix *mix, const ew_frame_desc *frame)
 {
-    unsigned key = dither_of(frame) | (ew_draws_surfaces(frame) ? emitters_of(mix) : field_of(mix, frame));
+    unsigned key = dither_of(frame) | (ew_draws_surfaces(frame) ? emitters_of(mix, frame) : field_of(mix, frame));
     if (mix->has_joints && mix->path_count > 0) key |= EW_PERMUTATION_JOINTS;
     if (mix->has_bends && mix->path_count > 0) key |= EW_PERMUTATION_BENDS | EW_PERMUTATION_JOINTS;
     bool takes_weights = false;

@@ -99,6 +99,7 @@ static void pack_light(const ew_frame_desc *frame, const ew_packing *packing, st
     double scale = packing->coefficient_scale * packing->space.length;
     block->light.x = scale > 0 ? (float)(frame->light_gain / scale) : 0;
     block->light.y = (float)(frame->light_reach / packing->space.length);
+    block->core_floor.w = (float)(frame->shadow_thickness / packing->space.length);
 }
 
 /* Fills the plan's uniforms for a checked frame, but for what depends on the viewport. */
@@ -121,7 +122,7 @@ static ew_result pack(ew_plan *plan, ew_sources *sources, const ew_frame_desc *f
                   (float)panel_tolerance(frame->quality), (float)((interval->end - interval->start) / packing.space.length)};
     block->core_floor.y = (float)(interval->start / packing.space.length);
     pack_light(frame, &packing, block);
-    block->simpson.x = frame->simpson_divisions;
+    block->choices = (ew_ivec4){frame->simpson_divisions, frame->normal_encoding, !ew_is_parallel(&view), 0};
     for (int kind = 0; kind < EW_KIND_COUNT; ++kind)
         plan->uniforms.source_counts[kind] = (int)sources->counts[kind];
     plan->source_data = sources->data;
@@ -188,6 +189,7 @@ ew_result ew_plan_frame(ew_plan *plan, ew_sources *sources, const ew_mix *mix, c
     plan->depth = (ew_depth_request){frame->depth_source, frame->depth_texture};
     plan->draws_surfaces = ew_draws_surfaces(frame);
     plan->light_reach = plan->draws_surfaces ? frame->light_reach : 0;
+    plan->normal_texture = plan->draws_surfaces ? frame->normal_texture : 0;
     plan->is_adaptive = is_adaptive(frame, mix ? mix : &current);
     plan->skips_restore = frame->skip_restore;
     return EW_OK;

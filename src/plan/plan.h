@@ -46,7 +46,8 @@ typedef struct ew_plan {
     ew_viewport lit;  /* what of the target's viewport is drawn: all that the sources can light */
     bool is_adaptive; /* in resolution */
     bool draws_surfaces;
-    double light_reach; /* of that; else 0 */
+    double light_reach;      /* of that; else 0 */
+    unsigned normal_texture; /* of surfaces; 0: from their depth */
     bool skips_restore;
 } ew_plan;
 

@@ -87,7 +87,8 @@ static void add_defines(ew_shader_text *text, const ew_dialect *dialect, unsigne
     static const char *const flags[EW_PERMUTATION_FLAG_COUNT] = {
         "WEIGHTS", "DEPTH",       "SIMPSON", "LUMINANCE", "EVALUATIONS",    "DEPTH_MULTISAMPLE",
         "DITHER",  "DITHER_SRGB", "WORLD",   "REACH",     "CORE_PIXELS",    "SHARPNESS",
-        "SOFT",    "JOINTS",      "BENDS",   "LISTS",     "SOURCE_TEXTURE", "IRRADIANCE"};
+        "SOFT",    "JOINTS",      "BENDS",   "LISTS",     "SOURCE_TEXTURE", "IRRADIANCE",
+        "SHADOWS", "NORMALS"};
     add_made(text, "#define EW_SOURCE_DATA_SIZE %zu\n", dialect->capacity);
     if (key & EW_PERMUTATION_LISTS) add_made(text, "#define EW_LIST_SIZE %zu\n", dialect->list_size);
     for (int i = 0; i < EW_PERMUTATION_FLAG_COUNT; ++i)
@@ -305,7 +306,9 @@ void ew_write_vertex_shader(ew_shader_text *text, const ew_dialect *dialect, ew_
 static void add_target_files(ew_shader_text *text, unsigned key)
 {
     add_file(text, ew_glsl_composite_glsl);
-    if (key & EW_PERMUTATION_DITHER) add_file(text, ew_glsl_dither_glsl);
+    if (!(key & EW_PERMUTATION_DITHER)) return;
+    add_file(text, ew_glsl_noise_glsl);
+    add_file(text, ew_glsl_dither_glsl);
 }
 
 static void add_depth(ew_shader_text *text, unsigned key)
@@ -346,6 +349,10 @@ static void write_surface_shader(ew_shader_text *text, const ew_dialect *dialect
     add_file(text, ew_glsl_ray_glsl);
     add_file(text, ew_glsl_composite_glsl);
     add_file(text, ew_glsl_normal_glsl);
+    if (key & EW_PERMUTATION_SHADOWS) {
+        add_file(text, ew_glsl_noise_glsl);
+        add_file(text, ew_glsl_shadow_glsl);
+    }
     add_file(text, ew_glsl_surface_frag);
 }
 
