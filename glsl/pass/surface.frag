@@ -9,7 +9,7 @@ vec3 ew_light_on(ivec2 place, float depth, int sample_index)
     float share = ew_parameter_of_depth(pixel, depth);
     if (share <= 0.0 || share >= 1.0) return vec3(0.0);
     vec3 position = ew_position_of(pixel, depth);
-    return ew_irradiance_of_all(ew_surface(position, ew_normal_of(place, depth, position, sample_index)));
+    return ew_irradiance_of_all(ew_surface(position, ew_normal_of(place, position, sample_index)));
 }
 
 void main()

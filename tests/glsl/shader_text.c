@@ -171,8 +171,11 @@ static void write_surfaces(const shader_profile *profile)
     for (size_t depth = 0; depth < sizeof depths / sizeof depths[0]; ++depth)
         for (size_t i = 0; i < sizeof emitters / sizeof emitters[0]; ++i) {
             unsigned key = depths[depth] | emitters[i], many = ew_permutation_with_lists(key);
+            const unsigned shaded = EW_PERMUTATION_SHADOWS | EW_PERMUTATION_NORMALS;
             for (int kind = 0; kind < EW_KIND_COUNT; ++kind)
-                write_pass(profile, EW_PASS_SURFACES, ew_permutation_with_count(key, kind, 1));
+                write_pass(profile, EW_PASS_SURFACES, ew_permutation_with_count(key | (kind % 2 ? shaded : 0), kind, 1));
+            write_pass(profile, EW_PASS_SURFACES, with_kinds(many | shaded, all_kinds, EW_ANY_COUNT));
+            write_pass(profile, EW_PASS_SURFACES, with_kinds(many | EW_PERMUTATION_SHADOWS, all_kinds, EW_ANY_COUNT));
             write_pass(profile, EW_PASS_SURFACES, with_kinds(many, all_kinds, EW_ANY_COUNT));
             write_pass(profile, EW_PASS_SURFACES, with_kinds(many | EW_PERMUTATION_SOURCE_TEXTURE, all_kinds, EW_ANY_COUNT));
         }
