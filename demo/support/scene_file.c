@@ -177,7 +177,7 @@ static void read_light(json_reader *r, const json_value *root, demo_scene *scene
     reader_check_keys(r, &object, keys);
     read_factor(r, &object, "gain", 1e6, &scene->light_gain);
     reader_number_member(r, &object, "reach", REQUIRED, POSITIVE, &scene->light_reach);
-    read_factor(r, &object, "shadow_thickness", 1e30, &scene->shadow_thickness);
+    read_factor(r, &object, "shadow_thickness", 1e18, &scene->shadow_thickness);
 }
 
 static void read_look(json_reader *r, const json_value *root, demo_scene *scene)
