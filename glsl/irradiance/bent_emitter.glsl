@@ -186,5 +186,5 @@ float ew_light_of_bend(ew_surface surface, ew_curve_block block, vec2 weight_pla
     float slope = weight_places.y - weight_places.x;
     vec2 places = vec2(weight_places.x - curve.first * slope, slope);
     ew_emitter emitter = ew_emitter(curve.c0 - surface.position, curve.c1, curve.c2, vec2(curve.first, curve.last), places, pieces, vec2(0.0), vec2(0.0), 0.0);
-    return ew_light_of_emitter(surface, emitter, curve.has_vertex, block.glow.x);
+    return ew_light_of_emitter(surface, emitter, curve.has_vertex, ew_light_core(block.glow));
 }

@@ -33,6 +33,12 @@ float ew_shadow_thickness()
 }
 #endif
 
+// r. Where it is hardly a number beside the unit of ray space, its square would be 0.
+float ew_light_core(vec4 glow)
+{
+    return max(glow.x, 1e-8);
+}
+
 // k(d), from d^2.
 float ew_light_falloff(float distance_squared, float core)
 {

@@ -19,7 +19,7 @@ void ew_start_picking(float light)
         ew_pick_sums[i] = light * (float(i) + ew_pick_offset) / float(EW_PICK_COUNT);
     ew_pick_sum = 0.0;
 }
-#define EW_CAST(source) if (light * source.color.w * ew_light_gain() > EW_LEAST_SHADED) { ew_start_picking(light); ew_irradiance_of(surface, source); light *= ew_visible_share(surface, source.glow.x); ew_pick_sums = vec4(-1.0); }
+#define EW_CAST(source) if (light * source.color.w * ew_light_gain() > EW_LEAST_SHADED) { ew_start_picking(light); ew_irradiance_of(surface, source); light *= ew_visible_share(surface, ew_light_core(source.glow)); ew_pick_sums = vec4(-1.0); }
 #else
 #define EW_CAST(source)
 #endif

@@ -6,7 +6,7 @@ float ew_irradiance_of(ew_surface surface, ew_line_block line)
     foot -= dot(foot, axis) * axis;
     float reach = ew_light_reach();
     if (ew_length_squared(foot) >= reach * reach) return 0.0;
-    float light = ew_light_of_straight(surface, foot, axis, vec2(-reach, reach), line.glow.x);
+    float light = ew_light_of_straight(surface, foot, axis, vec2(-reach, reach), ew_light_core(line.glow));
     EW_PICK_BETWEEN(light, foot - reach * axis, foot + reach * axis);
     return light;
 }

@@ -9,10 +9,10 @@ float ew_light_of_straight_piece(ew_surface surface, ew_path_block path, vec4 st
         ew_emitter emitter =
             ew_emitter(from, to - from, vec3(0.0), vec2(0.0, 1.0), vec2(start.w, end.w - start.w), path.weights.xy, vec2(0.0),
                        vec2(0.0), 0.0);
-        return ew_light_of_emitter(surface, emitter, false, path.glow.x);
+        return ew_light_of_emitter(surface, emitter, false, ew_light_core(path.glow));
     }
 #endif
-    float light = ew_light_of_segment(surface, from, to, path.glow.x);
+    float light = ew_light_of_segment(surface, from, to, ew_light_core(path.glow));
     EW_PICK_BETWEEN(light, from, to);
     return light;
 }

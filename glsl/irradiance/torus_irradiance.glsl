@@ -96,7 +96,7 @@ float ew_irradiance_of(ew_surface surface, ew_torus_block torus)
     float open = level >= slope ? pi : acos(clamp(-level / max(slope, 1e-30), -1.0, 1.0));
     // From toward - open to toward + open: phi = turn + local, and local in [-pi, pi]. Parts end at the nearest place, and where
     // the circle next to that is taken as straight, since the surface is in the core.
-    float core = torus.glow.x;
+    float core = ew_light_core(torus.glow);
     float width = circle.distances.x < core ? min(core / circle.radius, 0.5) : 0.0;
     float turn = 2.0 * pi * floor(0.5 * (toward - open) / pi + 0.5);
     float local = toward - open - turn;

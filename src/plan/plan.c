@@ -98,7 +98,8 @@ static void pack_light(const ew_frame_desc *frame, const ew_packing *packing, st
 {
     double scale = packing->coefficient_scale * packing->space.length;
     block->light.x = scale > 0 ? (float)(frame->light_gain / scale) : 0;
-    block->light.y = (float)(frame->light_reach / packing->space.length);
+    /* Where it is less than a pixel by far, powers of it would be no numbers. */
+    block->light.y = (float)fmax(frame->light_reach / packing->space.length, 1e-6);
     block->core_floor.w = (float)(frame->shadow_thickness / packing->space.length);
 }
 
