@@ -36,14 +36,14 @@ vec3 ew_circle_place(ew_circle circle, vec2 turned)
     return circle.center + circle.radius * (turned.x * circle.right + turned.y * circle.up);
 }
 
-// The integral over phi of a part next to the nearest place, where the surface is in the core: as a straight one.
+// The light of a part next to the nearest place, where the surface is in the core: as a straight one.
 float ew_light_of_near_arc(ew_surface surface, ew_circle circle, vec2 part, float core)
 {
     float middle = 0.5 * (part.x + part.y);
     vec3 start = ew_circle_place(circle, vec2(cos(part.x), sin(part.x)));
     vec3 end = ew_circle_place(circle, vec2(cos(part.y), sin(part.y)));
     vec3 between = ew_circle_place(circle, vec2(cos(middle), sin(middle)));
-    float light = ew_light_of_nearly_straight(surface, start, between, end, core) / circle.radius;
+    float light = ew_light_of_nearly_straight(surface, start, between, end, core);
     EW_PICK_BETWEEN(light, start, end);
     return light;
 }
@@ -74,12 +74,12 @@ float ew_light_of_arc(ew_surface surface, ew_circle circle, vec2 part, float cor
         sum += gauss_weights[i] * turned.z * ew_light_at(surface, ew_circle_place(circle, turned.xy), core);
     }
 #ifdef EW_SHADOWS
-    vec4 shares = ew_shares_in_part(half_angle * sum);
+    vec4 shares = ew_shares_in_part(circle.radius * half_angle * sum);
     for (int i = 0; i < EW_PICK_COUNT; ++i)
         if (shares[i] >= 0.0 && shares[i] < 1.0)
             ew_picked[i] = ew_circle_place(circle, ew_turn_circle(ratio, mix(angles.x, angles.y, shares[i])).xy);
 #endif
-    return half_angle * sum;
+    return circle.radius * half_angle * sum;
 }
 
 float ew_irradiance_of(ew_surface surface, ew_torus_block torus)
@@ -111,5 +111,5 @@ float ew_irradiance_of(ew_surface surface, ew_torus_block torus)
         if (next >= pi) { turn += 2.0 * pi; next = -pi; }
         local = next;
     } while (turn + local < toward + open && ++count < 8);
-    return circle.radius * sum;
+    return sum;
 }

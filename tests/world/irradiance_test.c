@@ -214,11 +214,11 @@ static void curves_light_surfaces(void **state)
 }
 
 /* It turns within a tenth of its core's radius, where no straight piece stands for it. */
-static void a_fold_within_its_core_lights_surfaces_nearly(void **state)
+static void a_fold_within_its_core_lights_surfaces(void **state)
 {
     (void)state;
     for (int weighted = 0; weighted < 2; weighted++)
-        expect_curve_within(5e-2, fold, weighted);
+        expect_curve_within(1e-2, fold, weighted);
 }
 
 static void paths_light_surfaces(void **state)
@@ -249,7 +249,7 @@ int main(int argc, char **argv)
         cmocka_unit_test(tori_light_surfaces),
         cmocka_unit_test(curves_light_surfaces),
         cmocka_unit_test(paths_light_surfaces),
-        cmocka_unit_test(a_fold_within_its_core_lights_surfaces_nearly),
+        cmocka_unit_test(a_fold_within_its_core_lights_surfaces),
         cmocka_unit_test(gl_has_nothing_to_say),
     };
     int failed = cmocka_run_group_tests(tests, NULL, NULL);
