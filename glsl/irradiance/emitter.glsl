@@ -84,7 +84,17 @@ void ew_pick_between(float light, vec3 start, vec3 end)
         if (shares[i] >= 0.0 && shares[i] < 1.0) ew_picked[i] = start + t * way;
     }
 }
+
+// Picks from a part that is small beside its distance, whose light is about even along it.
+void ew_pick_along(float light, vec3 start, vec3 way)
+{
+    vec4 shares = ew_shares_in_part(light);
+    for (int i = 0; i < EW_PICK_COUNT; ++i)
+        if (shares[i] >= 0.0 && shares[i] < 1.0) ew_picked[i] = start + shares[i] * way;
+}
 #define EW_PICK_BETWEEN(light, start, end) ew_pick_between(light, start, end)
+#define EW_PICK_ALONG(light, start, way) ew_pick_along(light, start, way)
 #else
+#define EW_PICK_ALONG(light, start, way)
 #define EW_PICK_BETWEEN(light, start, end)
 #endif

@@ -65,7 +65,7 @@ float ew_light_of_far_piece(ew_surface surface, ew_path_block path, ew_short_pie
         float speed = length(piece.slope + 2.0 * node * u * piece.bend);
         light += 0.5 * weight * speed * ew_light_at(surface, shifted + u * outward, core);
     }
-    EW_PICK_BETWEEN(light, piece.middle - 0.5 * piece.slope, piece.middle + 0.5 * piece.slope);
+    EW_PICK_ALONG(light, piece.middle - 0.5 * piece.slope, piece.slope);
     return light;
 }
 

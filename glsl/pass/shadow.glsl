@@ -3,7 +3,7 @@
 // things are taken to be as thick as the frame says.
 
 // Steps from a surface towards a place.
-const int EW_SHADOW_STEPS = 16;
+const int EW_SHADOW_STEPS = 12;
 
 // The pixel, relative to that of NDC (0, 0), at which a place in ray space is seen: the inverse of ew_pixel_segment. Its view
 // depth must be positive.
