@@ -652,6 +652,14 @@ EW_API ew_result ew_prepare_step(ew_effect *effect, const ew_mix *mix, const ew_
  * and of a point, r in the place of the integral of w |dC|. A diffuse surface shines with its albedo times E. In the papers'
  * integral, coefficients count as they are, without alpha. Error 1e-2 of the picture's largest.
  *
+ *     vec3 ew_specular(vec3 position, vec3 normal, vec3 to_eye, float roughness);
+ *
+ * what a glossy surface there mirrors of them towards the eye, where it reflects all light: multiply it by the surface's
+ * reflectance, such as Schlick's approximation of Fresnel's. `to_eye` is a vector of any length, the roughness in [0.1, 1]. In
+ * the place of max(0, n . l) stands Phong's lobe about the mirrored view R, (p + 1) / (2 pi) max(0, R . l)^p where n . l > 0,
+ * with p = 2 / roughness^4 - 2, at least 1, which matches the peak of GGX without its long tails and its stretch at grazing
+ * angles. Outside of cores it is off by 3 % of all light at most, on bent sources at a low roughness.
+ *
  * All names in the text start with ew_ or EW_. In OpenGL ES, floats and ints are highp from there on. The text has no samplers,
  * reads no built-in variables, and has one uniform block, `ew_uniforms`:
  *

@@ -35,16 +35,22 @@ float ew_light_inside(vec2 t, float h2, float a, float b)
     return a * arc + b * (t.y - t.x) * (t.y + t.x) / (d.x + d.y);
 }
 
+// The part of an interval on which a + b t > 0, if there is any.
+vec2 ew_above_horizon(float a, float b, vec2 t)
+{
+    vec2 above = a + b * t;
+    float horizon = mix(t.x, t.y, clamp(above.x / mix(above.x - above.y, 1.0, above.x == above.y), 0.0, 1.0));
+    return mix(t, vec2(horizon), lessThan(above, vec2(0.0)));
+}
+
 // The integral over the emitter from t.x to t.y along the unit vector `axis`; `foot` leads from the surface to t = 0, perpendicular to
 // the axis. Relative error some 1e-5 where the emitter is above the surface's horizon, which cuts it.
 float ew_light_of_straight(ew_surface surface, vec3 foot, vec3 axis, vec2 t, float core)
 {
     float a = dot(surface.normal, foot);
     float b = dot(surface.normal, axis);
-    vec2 above = a + b * t;
-    if (max(above.x, above.y) <= 0.0) return 0.0;
-    float horizon = mix(t.x, t.y, clamp(above.x / mix(above.x - above.y, 1.0, above.x == above.y), 0.0, 1.0));
-    t = mix(t, vec2(horizon), lessThan(above, vec2(0.0)));
+    if (max(a + b * t.x, a + b * t.y) <= 0.0) return 0.0;
+    t = ew_above_horizon(a, b, t);
     // Where the surface is next to the emitter's line, what is left out by this is a millionth of the light.
     float core2 = core * core;
     float h2 = max(ew_length_squared(foot), 1e-12 * core2);

@@ -86,4 +86,5 @@ const ew_kind ew_curve_kind = {
     .sampling_files = {ew_glsl_polynomial_curve_glsl, ew_glsl_curve_distance_glsl},
     .irradiance_files = {ew_glsl_polynomial_curve_glsl, ew_glsl_straight_emitter_glsl, ew_glsl_bent_emitter_glsl,
                          ew_glsl_curve_irradiance_glsl},
+    .gloss_files = {ew_glsl_chords_glsl, ew_glsl_curve_gloss_glsl},
 };

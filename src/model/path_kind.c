@@ -190,4 +190,5 @@ const ew_kind ew_path_kind_row = {
     .sampling_files = {ew_glsl_path_pieces_glsl, ew_glsl_path_distance_glsl},
     .irradiance_files = {ew_glsl_path_pieces_glsl, ew_glsl_polynomial_curve_glsl, ew_glsl_straight_emitter_glsl,
                          ew_glsl_bent_emitter_glsl, ew_glsl_path_irradiance_glsl},
+    .gloss_files = {ew_glsl_chords_glsl, ew_glsl_path_gloss_glsl},
 };

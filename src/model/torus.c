@@ -69,4 +69,5 @@ const ew_kind ew_torus_kind = {
                        ew_glsl_torus_glsl},
     .sampling_files = {ew_glsl_torus_distance_glsl},
     .irradiance_files = {ew_glsl_straight_emitter_glsl, ew_glsl_torus_irradiance_glsl},
+    .gloss_files = {ew_glsl_torus_gloss_glsl},
 };

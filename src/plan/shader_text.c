@@ -227,15 +227,29 @@ static void add_light(ew_shader_text *text, unsigned key, const ew_integrator_te
     add_file(text, ew_glsl_light_glsl);
 }
 
+static void add_files_once(ew_shader_text *text, const char *const files[EW_KIND_MAX_FILES])
+{
+    for (int i = 0; i < EW_KIND_MAX_FILES && files[i]; ++i)
+        add_file_once(text, files[i]);
+}
+
 /* The light on surfaces. */
 static void add_irradiance(ew_shader_text *text, unsigned key)
 {
     add_file(text, ew_glsl_emitter_glsl);
     for (int kind = 0; kind < EW_KIND_COUNT; ++kind)
-        for (int i = 0; ew_permutation_count(key, kind) > 0 && i < EW_KIND_MAX_FILES && ew_kinds[kind]->irradiance_files[i];
-             ++i)
-            add_file_once(text, ew_kinds[kind]->irradiance_files[i]);
+        if (ew_permutation_count(key, kind) > 0) add_files_once(text, ew_kinds[kind]->irradiance_files);
     add_file(text, ew_glsl_irradiance_glsl);
+}
+
+/* What glossy surfaces mirror of that. */
+static void add_gloss(ew_shader_text *text, unsigned key)
+{
+    add_file_once(text, ew_glsl_straight_emitter_glsl);
+    add_file(text, ew_glsl_gloss_glsl);
+    for (int kind = 0; kind < EW_KIND_COUNT; ++kind)
+        if (ew_permutation_count(key, kind) > 0) add_files_once(text, ew_kinds[kind]->gloss_files);
+    add_file(text, ew_glsl_gloss_of_all_glsl);
 }
 
 static void start(ew_shader_text *text, bool numbers_lines)
@@ -393,6 +407,9 @@ void ew_write_include(ew_shader_text *text, const ew_dialect *dialect, unsigned 
     add(text, "#ifdef GL_ES\nprecision highp float;\nprecision highp int;\n#endif\n");
     add_defines(text, dialect, key);
     add_light(text, key, integrator_of(key), false);
-    if (key & EW_PERMUTATION_IRRADIANCE) add_irradiance(text, key);
+    if (key & EW_PERMUTATION_IRRADIANCE) {
+        add_irradiance(text, key);
+        add_gloss(text, key);
+    }
     add_file(text, ew_glsl_include_glsl);
 }

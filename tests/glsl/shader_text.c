@@ -219,15 +219,18 @@ static void write_include(const shader_profile *profile, unsigned key)
     char *joined = malloc(ew_join_shader_text(&text, NULL) + 1);
     if (!joined) exit(EXIT_FAILURE);
     ew_join_shader_text(&text, joined);
-    const char *const strings[] = {profile->include_version,
-                                   joined,
-                                   "out vec4 color;\nvoid main()\n{\ncolor = ew_light(vec3(0.0), vec3(1.0), ",
-                                   interval,
-                                   "1.0);\ncolor.a = ew_luminance(vec3(0.0), vec3(1.0), ",
-                                   interval,
-                                   "1.0);\n",
-                                   key & EW_PERMUTATION_IRRADIANCE ? "color.rgb += ew_irradiance(vec3(0.0), vec3(1.0));\n" : "",
-                                   "}\n"};
+    const char *const strings[] = {
+        profile->include_version,
+        joined,
+        "out vec4 color;\nvoid main()\n{\ncolor = ew_light(vec3(0.0), vec3(1.0), ",
+        interval,
+        "1.0);\ncolor.a = ew_luminance(vec3(0.0), vec3(1.0), ",
+        interval,
+        "1.0);\n",
+        key & EW_PERMUTATION_IRRADIANCE
+            ? "color.rgb += ew_irradiance(vec3(0.0), vec3(1.0)) + ew_specular(vec3(0.0), vec3(1.0), vec3(1.0), 0.5);\n"
+            : "",
+        "}\n"};
     write_strings(profile->name, "include-", key, "frag", strings, sizeof strings / sizeof strings[0]);
     free(joined);
 }
@@ -242,6 +245,7 @@ static void write_includes(const shader_profile *profile)
             write_include(profile, flags);
             for (int kind = 0; kind < EW_KIND_COUNT; ++kind) {
                 write_include(profile, ew_permutation_with_count(flags, kind, (size_t)kind % 2 + 1));
+                if (field == 3) write_include(profile, ew_permutation_with_count(flags | EW_PERMUTATION_IRRADIANCE, kind, 1));
                 if (!simpson) write_grid_passes(profile, ew_permutation_with_count(flags, kind, (size_t)kind % 2 + 1));
             }
             for (unsigned lit = 0; lit <= EW_PERMUTATION_IRRADIANCE; lit += EW_PERMUTATION_IRRADIANCE)

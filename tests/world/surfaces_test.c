@@ -203,7 +203,7 @@ static light_error error_of(const ew_frame_desc *frame, const ew_sources_desc *s
     light_error error = {0};
     for (int i = 0; i < PIXELS; i++) {
         double truth[3], light[3];
-        reference_irradiance(sources, frame->light_reach, &surfaces[i], truth);
+        reference_irradiance(sources, frame->light_reach, &surfaces[i], NULL, truth);
         read_light(drawn, i, light);
         off[i] = 0;
         for (int k = 0; k < 3; k++) {
@@ -305,7 +305,7 @@ static void normals_of_the_host_are_taken_in_each_encoding(void **state)
         double worst = 0;
         for (int i = 0; i < PIXELS; i++) {
             double truth[3], light[3];
-            reference_irradiance(&scenes[0].sources, frame.light_reach, &surfaces[i], truth);
+            reference_irradiance(&scenes[0].sources, frame.light_reach, &surfaces[i], NULL, truth);
             read_light(drawn, i, light);
             worst = fmax(worst, fabs(light[0] - frame.light_gain * truth[0]));
         }

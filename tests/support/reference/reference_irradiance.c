@@ -17,6 +17,7 @@ typedef struct shape_place {
 typedef struct emitter {
     const reference_surface *surface;
     double core, reach;
+    const reference_gloss *gloss; /* NULL: a diffuse surface */
     void (*at)(const struct emitter *emitter, double t, shape_place *place);
     const void *source;
     size_t span; /* of a path */
@@ -36,8 +37,11 @@ static double light_from(const emitter *e, const double position[3])
     for (int i = 0; i < 3; i++)
         offset[i] = position[i] - e->surface->position[i];
     double distance = sqrt(vector_dot(offset, offset));
-    if (distance == 0) return 0;
-    return fmax(0, vector_dot(e->surface->normal, offset)) / distance * falloff(e, distance);
+    double facing = vector_dot(e->surface->normal, offset);
+    if (distance == 0 || facing <= 0) return 0;
+    if (!e->gloss) return facing / distance * falloff(e, distance);
+    double cosine = fmax(0, vector_dot(e->gloss->mirrored, offset)) / distance;
+    return (e->gloss->exponent + 1) / (4 * asin(1)) * pow(cosine, e->gloss->exponent) * falloff(e, distance);
 }
 
 static double integrand(const emitter *e, double t)
@@ -149,10 +153,10 @@ static void add(double light, const double color[3], double irradiance[3])
         irradiance)
 
 void reference_irradiance(const ew_sources_desc *sources, double light_reach, const reference_surface *surface,
-                          double irradiance[3])
+                          const reference_gloss *gloss, double irradiance[3])
 {
     enum { PARTS = 64 };
-    emitter e = {.surface = surface, .reach = light_reach};
+    emitter e = {.surface = surface, .reach = light_reach, .gloss = gloss};
     irradiance[0] = irradiance[1] = irradiance[2] = 0;
     for (size_t i = 0; i < sources->point_count; i++) {
         const ew_point *point = &sources->points[i];

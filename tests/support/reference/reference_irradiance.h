@@ -12,8 +12,14 @@ typedef struct reference_surface {
     double normal[3]; /* unit */
 } reference_surface;
 
-/* E of ew_irradiance for a gain of 1. */
+/* Phong's lobe, of ew_specular. */
+typedef struct reference_gloss {
+    double mirrored[3]; /* unit: the lobe's axis */
+    double exponent;
+} reference_gloss;
+
+/* E of ew_irradiance for a gain of 1; with a gloss, that of ew_specular. */
 void reference_irradiance(const ew_sources_desc *sources, double light_reach, const reference_surface *surface,
-                          double irradiance[3]);
+                          const reference_gloss *gloss, double irradiance[3]);
 
 #endif
