@@ -90,7 +90,8 @@ Each picture stands above the command that drew it. `./run gallery` redraws all 
 
 `./run demo` shows the court in a window. You can fly through it, and switch between the integrators by keys while it runs. Every
 light is of the world integral, in metres, and drawn with the composite `soft` as the library gives it: the demo grades nothing.
-The stone beneath it is the demo's own, with its light, shadows, reflection and tone mapping.
+The stone beneath it is the demo's own, with its moonlight, reflection and tone mapping; what glows lights it, with shadows, by
+`EW_OUTPUT_SURFACES`.
 
 ![The court: lightning charges an orb, the orb fires a beam, and a ring spreads](gallery/court.webp)
 
@@ -119,6 +120,25 @@ where it reaches.
 TEXT
 row 'adaptive'
 picture court-evaluations ew-demo --offscreen --frames 165 --size 480x270 --show evaluations
+end_row
+
+text << 'TEXT'
+## Light on surfaces
+
+One more call lights the opaque scene: from its depth alone, and with shadows on request.
+TEXT
+row 'glow alone' 'light on surfaces' 'with shadows'
+sed '/"light":/d' demo/scenes/lit-beam.json > "$scratch/lit-beam-off.json"
+sed 's/, "shadow_thickness": 0.7//' demo/scenes/lit-beam.json > "$scratch/lit-beam-unshaded.json"
+for variant in -off -unshaded; do
+    echo "lit-beam$variant"
+    "$programs"/ew-render "$scratch/lit-beam$variant.json" --size 320x214 -o $pictures/lit-beam$variant.png > /dev/null
+    cells="$cells ![lit-beam$variant](gallery/lit-beam$variant.png) |"
+done
+picture lit-beam ew-render demo/scenes/lit-beam.json --size 320x214
+commands="$commands
+The first two are of the same scene without \`light\`, and without \`shadow_thickness\`.
+"
 end_row
 
 text << 'TEXT'

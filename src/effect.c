@@ -131,7 +131,9 @@ ew_result ew_get_shader_text(ew_effect *effect, const ew_mix *mix, const ew_fram
     integral.output = EW_OUTPUT_LERP;
     integral.dither = 0;
     ew_shader_text parts;
-    ew_write_include(&parts, &dialect, ew_permutation_of(mix ? mix : &current, &integral));
+    unsigned key = ew_permutation_of(mix ? mix : &current, &integral);
+    if (frame->light_reach > 0) key |= EW_PERMUTATION_IRRADIANCE;
+    ew_write_include(&parts, &dialect, key);
     size_t length = ew_join_shader_text(&parts, NULL);
     char *made = allocator->allocate(allocator->user, length + 1);
     if (!made) return ew_fail(error, EW_ERROR_OUT_OF_MEMORY, "no memory for a shader of %zu characters", length);

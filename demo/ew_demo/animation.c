@@ -215,6 +215,9 @@ void animation_init(demo_animation *a)
                                     .decay_beta = 1,
                                     .core_pixels = EW_CORE_PIXELS_DEFAULT,
                                     .exposure = 1,
+                                    .light_gain = 12,
+                                    .light_reach = 6,
+                                    .shadow_thickness = 1.2,
                                     .background = {0.0018, 0.003, 0.008},
                                     .composite = EW_OUTPUT_SOFT}};
     init_points(a);

@@ -89,22 +89,33 @@ demo_display *display_create(const gl_functions *gl, const ew_effect_desc *desc,
     return NULL;
 }
 
-/* Draws the court, and what its floor reflects. */
-static ew_result draw_court(demo_display *display, const display_view *view, ew_error *error)
+/* The settings of a picture of samples. */
+static render_settings sample_settings(const display_view *view)
 {
     render_settings settings = view->settings;
     settings.width *= view->samples_per_axis;
     settings.height *= view->samples_per_axis;
+    return settings;
+}
+
+static lit_opaque_view court_view(const demo_display *display, const display_view *view, const render_settings *settings)
+{
+    return (lit_opaque_view){.scene = view->scene,
+                             .settings = settings,
+                             .reflection = display->reflection.color,
+                             .depth = display->depth,
+                             .framebuffer = display->effect_framebuffer};
+}
+
+/* Draws the court, and what its floor reflects. */
+static ew_result draw_court(demo_display *display, const display_view *view, ew_error *error)
+{
+    const render_settings settings = sample_settings(view);
     ew_result result =
         reflection_draw(display->gl, &display->reflection, display->effect, display->court, view->scene, &settings, error);
     if (result) return result;
-    display->gl->BindFramebuffer(GL_FRAMEBUFFER, display->opaque_framebuffer);
-    lit_opaque_draw(display->court, &(lit_opaque_view){.scene = view->scene,
-                                                       .width = settings.width,
-                                                       .height = settings.height,
-                                                       .reflection = display->reflection.color});
-    display->gl->BindFramebuffer(GL_FRAMEBUFFER, 0);
-    return EW_OK;
+    const lit_opaque_view lit = court_view(display, view, &settings);
+    return lit_opaque_draw(display->court, &lit, display->effect, error);
 }
 
 /* Reduces a frame to the columns from `first` to before `end`, by stretching their part of the NDC square over all of it. */
@@ -178,10 +189,29 @@ static ew_result count_evaluations(demo_display *display, const display_view *vi
     return result;
 }
 
+/* The frame that has the energy light the opaque scene. */
+static ew_frame_desc light_frame(demo_display *display, const display_view *view)
+{
+    const render_settings settings = sample_settings(view);
+    if (view->court_look) {
+        const lit_opaque_view lit = court_view(display, view, &settings);
+        return lit_opaque_frame(display->court, &lit);
+    }
+    const render_target target = {.depth = display->depth, .effect_framebuffer = display->effect_framebuffer};
+    return render_light_frame(view->scene, &settings, &target);
+}
+
+/* Lights the opaque shapes of a scene file, if it says so. */
+static ew_result light_file_opaque(demo_display *display, const display_view *view, ew_error *error)
+{
+    const ew_frame_desc frame = light_frame(display, view);
+    return view->scene->light_reach > 0 ? ew_draw(display->effect, &frame, error) : EW_OK;
+}
+
 /* The opaque scene comes first, because everything else needs its depth. */
 static ew_result draw_all(demo_display *display, const display_view *view, ew_error *error)
 {
-    ew_result result = view->court_look ? draw_court(display, view, error) : EW_OK;
+    ew_result result = view->court_look ? draw_court(display, view, error) : light_file_opaque(display, view, error);
     if (result) return result;
     if (view->mode != DISPLAY_PICTURE) return draw_maps(display, view, error);
     result = draw_energy(display, view, error);
@@ -208,14 +238,30 @@ bool display_set_sources(demo_display *display, const ew_sources_desc *sources, 
     return false;
 }
 
+/* Makes the court, if the view shows it, and its layers. */
+static bool make_court(demo_display *display, const display_view *view, char *message, size_t size)
+{
+    if (!view->court_look) return true;
+    if (!display->court) display->court = lit_opaque_create(display->gl, view->scene, message, size);
+    if (!display->court) return false;
+    const render_settings settings = sample_settings(view);
+    const lit_opaque_view lit = court_view(display, view, &settings);
+    lit_opaque_fit(display->court, &lit);
+    return true;
+}
+
 int display_prepare(demo_display *display, const display_view *view)
 {
     char message[200];
-    int sum = 0;
-    if (!make_targets(display, view, message, sizeof message) || ew_set_sources(display->effect, &view->scene->sources, NULL))
+    int sum = 0, steps_left;
+    if (!make_targets(display, view, message, sizeof message) || !make_court(display, view, message, sizeof message) ||
+        ew_set_sources(display->effect, &view->scene->sources, NULL))
         return -1;
+    if (view->scene->light_reach > 0) {
+        const ew_frame_desc frame = light_frame(display, view);
+        if (ew_prepare_step(display->effect, NULL, &frame, &sum, NULL)) return -1;
+    }
     for (int half = 0; half < (view->split ? 2 : 1); half++) {
-        int steps_left;
         ew_frame_desc frame = half_frame(display, view, half, display->effect_framebuffer);
         if (ew_prepare_step(display->effect, NULL, &frame, &steps_left, NULL)) return -1;
         sum += steps_left;
@@ -229,8 +275,8 @@ bool display_draw(demo_display *display, const display_view *asked_view, char *m
     ew_error error;
     if (view.mode != DISPLAY_PICTURE) view.samples_per_axis = 1;
     if (!make_targets(display, &view, message, size)) return false;
-    if (view.court_look && !display->court) display->court = lit_opaque_create(display->gl, view.scene, message, size);
-    if (view.court_look ? !display->court : !draw_file_opaque(display, &view, message, size)) return false;
+    if (!make_court(display, &view, message, size)) return false;
+    if (!view.court_look && !draw_file_opaque(display, &view, message, size)) return false;
     for (int half = 0; half < 2; half++)
         display->statistics[half] = (display_statistics){.map = {-1, -1, -1}};
     if (ew_set_sources(display->effect, &view.scene->sources, &error) || draw_all(display, &view, &error)) {

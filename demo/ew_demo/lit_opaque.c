@@ -2,8 +2,8 @@
 #include "lit_opaque.h"
 #include "camera.h"
 #include "court.h"
+#include "court_layers.h"
 #include "demo_shaders.h"
-#include "energy_lights.h"
 #include "message.h"
 #include "opaque.h"
 #include "shader.h"
@@ -15,7 +15,9 @@ static const double to_moon[3] = {-0.46, 0.76, 0.46};
 
 struct lit_opaque {
     const gl_functions *gl;
-    GLuint program;
+    GLuint program, compose_program;
+    GLuint no_vertices;
+    court_layers layers[2]; /* of the picture, and of its reflection */
     opaque_buffers buffers;
     GLsizei shape_count;
     float centers[COURT_MAX_SHAPES][4]; /* w: the rounding radius */
@@ -57,8 +59,11 @@ lit_opaque *lit_opaque_create(const gl_functions *gl, const demo_scene *scene, c
         lit_opaque_destroy(lit);
         return NULL;
     }
+    gl->GenVertexArrays(1, &lit->no_vertices);
     lit->program = shader_link(gl, demo_shader_lit_opaque_vert, demo_shader_lit_opaque_frag, "the court's", message, size);
-    if (lit->program) return lit;
+    if (lit->program)
+        lit->compose_program = shader_link(gl, demo_shader_screen_vert, demo_shader_compose_frag, "the court's", message, size);
+    if (lit->compose_program) return lit;
     lit_opaque_destroy(lit);
     return NULL;
 }
@@ -75,26 +80,9 @@ static void multiply(const double a[16], const double b[16], float result[16])
         }
 }
 
-static void set_vector(const lit_opaque *lit, const char *name, const double vector[3])
+static void set_vector(const gl_functions *gl, GLuint program, const char *name, const double vector[3])
 {
-    const gl_functions *gl = lit->gl;
-    gl->Uniform3f(gl->GetUniformLocation(lit->program, name), (float)vector[0], (float)vector[1], (float)vector[2]);
-}
-
-static void set_lights(const lit_opaque *lit, const ew_sources_desc *sources)
-{
-    const gl_functions *gl = lit->gl;
-    energy_light lights[ENERGY_MAX_LIGHTS];
-    GLsizei count = (GLsizei)energy_make_lights(sources, lights);
-    float positions[ENERGY_MAX_LIGHTS][4], colors[ENERGY_MAX_LIGHTS][4];
-    for (GLsizei i = 0; i < count; i++)
-        for (int j = 0; j < 4; j++) {
-            positions[i][j] = (float)(j < 3 ? lights[i].position[j] : lights[i].radius);
-            colors[i][j] = (float)(j < 3 ? lights[i].color[j] : 0);
-        }
-    gl->Uniform1i(gl->GetUniformLocation(lit->program, "light_count"), count);
-    gl->Uniform4fv(gl->GetUniformLocation(lit->program, "light_position"), count, positions[0]);
-    gl->Uniform4fv(gl->GetUniformLocation(lit->program, "light_color"), count, colors[0]);
+    gl->Uniform3f(gl->GetUniformLocation(program, name), (float)vector[0], (float)vector[1], (float)vector[2]);
 }
 
 static void set_camera(const lit_opaque *lit, const lit_opaque_view *how)
@@ -104,7 +92,7 @@ static void set_camera(const lit_opaque *lit, const lit_opaque_view *how)
     double view[16], projection[16], eye[3];
     float view_projection[16];
     camera_view(camera, view);
-    camera_projection(camera, (double)how->width / how->height, projection);
+    camera_projection(camera, (double)how->settings->width / how->settings->height, projection);
     vector_copy(camera->eye, eye);
     if (how->is_mirrored) {
         for (int row = 0; row < 4; row++)
@@ -113,48 +101,105 @@ static void set_camera(const lit_opaque *lit, const lit_opaque_view *how)
     }
     multiply(projection, view, view_projection);
     gl->UniformMatrix4fv(gl->GetUniformLocation(lit->program, "view_projection"), 1, GL_FALSE, view_projection);
-    set_vector(lit, "eye", eye);
+    set_vector(gl, lit->program, "eye", eye);
 }
 
 static void set_uniforms(const lit_opaque *lit, const lit_opaque_view *how)
 {
-    const demo_scene *scene = how->scene;
     const gl_functions *gl = lit->gl;
     double moon[3];
     set_camera(lit, how);
     vector_normalize(to_moon, moon);
-    set_vector(lit, "to_moon", moon);
-    set_vector(lit, "background", scene->background);
+    set_vector(lit->gl, lit->program, "to_moon", moon);
     gl->Uniform1i(gl->GetUniformLocation(lit->program, "shape_count"), lit->shape_count);
     gl->Uniform4fv(gl->GetUniformLocation(lit->program, "shape_center"), lit->shape_count, lit->centers[0]);
     gl->Uniform4fv(gl->GetUniformLocation(lit->program, "shape_extent"), lit->shape_count, lit->extents[0]);
     gl->Uniform1i(gl->GetUniformLocation(lit->program, "is_mirrored"), how->is_mirrored);
-    gl->Uniform1i(gl->GetUniformLocation(lit->program, "reflects"), how->reflection != 0);
-    gl->Uniform1i(gl->GetUniformLocation(lit->program, "reflection"), 0);
-    gl->Uniform2f(gl->GetUniformLocation(lit->program, "pixel"), 1.0f / (float)how->width, 1.0f / (float)how->height);
-    set_lights(lit, &scene->sources);
 }
 
-void lit_opaque_draw(const lit_opaque *lit, const lit_opaque_view *view)
+static void draw_layers(const lit_opaque *lit, const court_layers *layers, const lit_opaque_view *view)
 {
     const gl_functions *gl = lit->gl;
-    gl->Viewport(0, 0, view->width, view->height);
-    opaque_clear(gl, view->scene);
+    court_layers_begin(gl, layers);
     gl->UseProgram(lit->program);
     set_uniforms(lit, view);
-    gl->BindTexture(GL_TEXTURE_2D, view->reflection);
     /* A mirror image turns the triangles the other way round. */
     if (!view->is_mirrored) gl->Enable(GL_CULL_FACE);
     opaque_draw_buffers(gl, &lit->buffers);
     gl->Disable(GL_CULL_FACE);
-    gl->BindTexture(GL_TEXTURE_2D, 0);
     gl->UseProgram(0);
+    gl->BindFramebuffer(GL_FRAMEBUFFER, 0);
+}
+
+static void bind_texture(const lit_opaque *lit, const char *sampler, GLint unit, GLuint texture)
+{
+    const gl_functions *gl = lit->gl;
+    gl->ActiveTexture(GL_TEXTURE0 + (GLenum)unit);
+    gl->BindTexture(GL_TEXTURE_2D, texture);
+    gl->Uniform1i(gl->GetUniformLocation(lit->compose_program, sampler), unit);
+}
+
+static void compose(const lit_opaque *lit, const court_layers *layers, const lit_opaque_view *view)
+{
+    const gl_functions *gl = lit->gl;
+    const GLuint program = lit->compose_program;
+    gl->BindFramebuffer(GL_FRAMEBUFFER, view->framebuffer);
+    gl->Viewport(0, 0, layers->width, layers->height);
+    gl->UseProgram(program);
+    set_vector(gl, program, "background", view->scene->background);
+    gl->Uniform1i(gl->GetUniformLocation(program, "reflects"), view->reflection != 0);
+    gl->Uniform2f(gl->GetUniformLocation(program, "pixel"), 1.0f / (float)layers->width, 1.0f / (float)layers->height);
+    bind_texture(lit, "reflection", 2, view->reflection);
+    bind_texture(lit, "own_light", 1, layers->own_light);
+    bind_texture(lit, "lit_albedo", 0, layers->albedo);
+    gl->BindVertexArray(lit->no_vertices);
+    gl->DrawArrays(GL_TRIANGLES, 0, 3);
+    gl->BindVertexArray(0);
+    for (int unit = 2; unit >= 0; unit--) {
+        gl->ActiveTexture(GL_TEXTURE0 + (GLenum)unit);
+        gl->BindTexture(GL_TEXTURE_2D, 0);
+    }
+    gl->UseProgram(0);
+    gl->BindFramebuffer(GL_FRAMEBUFFER, 0);
+}
+
+void lit_opaque_fit(lit_opaque *lit, const lit_opaque_view *view)
+{
+    court_layers *layers = &lit->layers[view->is_mirrored];
+    court_layers_fit(lit->gl, layers, view->settings->width, view->settings->height, view->depth);
+}
+
+ew_frame_desc lit_opaque_frame(const lit_opaque *lit, const lit_opaque_view *view)
+{
+    const court_layers *layers = &lit->layers[view->is_mirrored];
+    const render_target target = {.depth = view->depth, .effect_framebuffer = layers->albedo_framebuffer};
+    ew_frame_desc frame = render_light_frame(view->scene, view->settings, &target);
+    frame.normal_texture = layers->normal;
+    /* Mirror the world in the floor, y = 0, before it is viewed. */
+    for (int row = 0; row < 4 && view->is_mirrored; row++)
+        frame.view[4 + row] = -frame.view[4 + row];
+    return frame;
+}
+
+ew_result lit_opaque_draw(lit_opaque *lit, const lit_opaque_view *view, ew_effect *effect, ew_error *error)
+{
+    const court_layers *layers = &lit->layers[view->is_mirrored];
+    lit_opaque_fit(lit, view);
+    draw_layers(lit, layers, view);
+    const ew_frame_desc frame = lit_opaque_frame(lit, view);
+    ew_result result = ew_draw(effect, &frame, error);
+    if (!result) compose(lit, layers, view);
+    return result;
 }
 
 void lit_opaque_destroy(lit_opaque *lit)
 {
     if (!lit) return;
     lit->gl->DeleteProgram(lit->program);
+    lit->gl->DeleteProgram(lit->compose_program);
+    lit->gl->DeleteVertexArrays(1, &lit->no_vertices);
+    for (int i = 0; i < 2; i++)
+        court_layers_destroy(lit->gl, &lit->layers[i]);
     opaque_delete_buffers(lit->gl, &lit->buffers);
     free(lit);
 }

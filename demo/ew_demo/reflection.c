@@ -15,22 +15,25 @@ static void make_targets(const gl_functions *gl, floor_reflection *reflection, i
     gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
     gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
     gl->BindTexture(GL_TEXTURE_2D, 0);
-    reflection->opaque_framebuffer = texture_framebuffer(gl, reflection->color, reflection->depth, &complete);
     reflection->effect_framebuffer = texture_framebuffer(gl, reflection->color, 0, &complete);
     reflection->width = width;
     reflection->height = height;
 }
 
-ew_result reflection_draw(const gl_functions *gl, floor_reflection *reflection, ew_effect *effect, const lit_opaque *lit,
+ew_result reflection_draw(const gl_functions *gl, floor_reflection *reflection, ew_effect *effect, lit_opaque *lit,
                           const demo_scene *scene, const render_settings *settings, ew_error *error)
 {
     render_settings half = *settings;
     half.width = (settings->width + 1) / 2;
     half.height = (settings->height + 1) / 2;
     make_targets(gl, reflection, half.width, half.height);
-    gl->BindFramebuffer(GL_FRAMEBUFFER, reflection->opaque_framebuffer);
-    lit_opaque_draw(lit, &(lit_opaque_view){.scene = scene, .width = half.width, .height = half.height, .is_mirrored = true});
-    gl->BindFramebuffer(GL_FRAMEBUFFER, 0);
+    const lit_opaque_view view = {.scene = scene,
+                                  .settings = &half,
+                                  .is_mirrored = true,
+                                  .depth = reflection->depth,
+                                  .framebuffer = reflection->effect_framebuffer};
+    ew_result result = lit_opaque_draw(lit, &view, effect, error);
+    if (result) return result;
 
     render_target target = {.depth = reflection->depth, .effect_framebuffer = reflection->effect_framebuffer};
     ew_frame_desc frame = render_frame(scene, &half, &target);
@@ -42,9 +45,8 @@ ew_result reflection_draw(const gl_functions *gl, floor_reflection *reflection, 
 
 void reflection_destroy(const gl_functions *gl, floor_reflection *reflection)
 {
-    const GLuint framebuffers[] = {reflection->opaque_framebuffer, reflection->effect_framebuffer};
     const GLuint textures[] = {reflection->color, reflection->depth};
-    gl->DeleteFramebuffers(2, framebuffers);
+    gl->DeleteFramebuffers(1, &reflection->effect_framebuffer);
     gl->DeleteTextures(2, textures);
     *reflection = (floor_reflection){0};
 }

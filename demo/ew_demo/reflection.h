@@ -13,13 +13,12 @@ typedef struct floor_reflection {
     int width; /* 0 while there are no targets */
     int height;
     GLuint color, depth;
-    GLuint opaque_framebuffer; /* colour and depth */
     GLuint effect_framebuffer; /* colour */
 } floor_reflection;
 
 /* Draws the reflection for a picture of the settings' size into reflection->color, in linear colour. The effect has the
  * scene's sources. */
-ew_result reflection_draw(const gl_functions *gl, floor_reflection *reflection, ew_effect *effect, const lit_opaque *lit,
+ew_result reflection_draw(const gl_functions *gl, floor_reflection *reflection, ew_effect *effect, lit_opaque *lit,
                           const demo_scene *scene, const render_settings *settings, ew_error *error);
 
 void reflection_destroy(const gl_functions *gl, floor_reflection *reflection);

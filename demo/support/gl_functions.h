@@ -35,6 +35,7 @@
     X(PFNGLDELETETEXTURESPROC, DeleteTextures)                                                                                 \
     X(PFNGLDELETEVERTEXARRAYSPROC, DeleteVertexArrays)                                                                         \
     X(PFNGLDISABLEPROC, Disable)                                                                                               \
+    X(PFNGLDRAWBUFFERSPROC, DrawBuffers)                                                                                       \
     X(PFNGLDRAWARRAYSPROC, DrawArrays)                                                                                         \
     X(PFNGLDRAWELEMENTSPROC, DrawElements)                                                                                     \
     X(PFNGLENABLEPROC, Enable)                                                                                                 \

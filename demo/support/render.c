@@ -47,6 +47,9 @@ ew_frame_desc render_frame(const demo_scene *scene, const render_settings *setti
     frame.decay_beta = scene->decay_beta;
     frame.core_pixels = scene->core_pixels;
     frame.exposure = scene->exposure;
+    frame.light_gain = scene->light_gain;
+    frame.light_reach = scene->light_reach;
+    frame.shadow_thickness = scene->shadow_thickness;
     frame.integrator = settings->integrator;
     frame.quality = settings->quality;
     frame.simpson_divisions = settings->simpson_divisions;
@@ -60,12 +63,21 @@ ew_frame_desc render_frame(const demo_scene *scene, const render_settings *setti
     return frame;
 }
 
+ew_frame_desc render_light_frame(const demo_scene *scene, const render_settings *settings, const render_target *target)
+{
+    ew_frame_desc frame = render_frame(scene, settings, target);
+    frame.output = EW_OUTPUT_SURFACES;
+    return frame;
+}
+
 static bool draw_effect(const gl_functions *gl, ew_effect *effect, const demo_scene *scene, const render_settings *settings,
                         const render_target *target, float *color, float *luminance, ew_error *error)
 {
     const pixel_rectangle whole = {0, 0, settings->width, settings->height};
     ew_frame_desc frame = render_frame(scene, settings, target);
     if (color) {
+        const ew_frame_desc lit = render_light_frame(scene, settings, target);
+        if (scene->light_reach > 0 && ew_draw(effect, &lit, error)) return false;
         if (ew_draw(effect, &frame, error)) return false;
         texture_read(gl, target->effect_framebuffer, whole, GL_RGBA, GL_FLOAT, color);
     }

@@ -46,6 +46,9 @@ bool render_opaque(const gl_functions *gl, const demo_scene *scene, const render
 /* The frame that draws the scene's effect onto the target's colour. */
 ew_frame_desc render_frame(const demo_scene *scene, const render_settings *settings, const render_target *target);
 
+/* The frame that lights the opaque shapes there, for scenes that have a light_reach. */
+ew_frame_desc render_light_frame(const demo_scene *scene, const render_settings *settings, const render_target *target);
+
 /* Draws the scene on `context`. `color` receives 4 floats a pixel: linear RGB and opacity. `luminance` receives 1 float a
  * pixel: B. Rows go from the bottom up. Either may be NULL. On failure returns false, with a message: "place: what to mend". */
 bool render_scene(gl_context *context, const demo_scene *scene, const render_settings *settings, float *color, float *luminance,

@@ -147,8 +147,8 @@ static void read_version_and_comment(json_reader *r, const json_value *root)
 
 static void check_root_keys(json_reader *r, const json_value *root)
 {
-    static const char *const fixed[] = {"version",     "comment",  "camera",     "interval", "decay",     "epsilon",
-                                        "core_pixels", "exposure", "background", "color",    "composite", "opaque"};
+    static const char *const fixed[] = {"version",  "comment",    "camera", "interval",  "decay",  "epsilon", "core_pixels",
+                                        "exposure", "background", "color",  "composite", "opaque", "light"};
     enum { FIXED_COUNT = sizeof fixed / sizeof *fixed };
     const char *keys[FIXED_COUNT + SCENE_SOURCE_KIND_COUNT + 1] = {NULL};
     for (int i = 0; i < FIXED_COUNT; i++)
@@ -167,6 +167,19 @@ static void read_factor(json_reader *r, const json_value *root, const char *key,
     if (*result > most) reader_fail(r, &number.at, "must be from 0 to %g, but is %g", most, *result);
 }
 
+/* How the sources light the opaque shapes; without it, they do not. */
+static void read_light(json_reader *r, const json_value *root, demo_scene *scene)
+{
+    static const char *const keys[] = {"gain", "reach", "shadow_thickness", NULL};
+    scene->light_gain = 1;
+    json_value object = reader_member(r, root, "light", OPTIONAL);
+    if (!object.json) return;
+    reader_check_keys(r, &object, keys);
+    read_factor(r, &object, "gain", 1e6, &scene->light_gain);
+    reader_number_member(r, &object, "reach", REQUIRED, POSITIVE, &scene->light_reach);
+    read_factor(r, &object, "shadow_thickness", 1e18, &scene->shadow_thickness);
+}
+
 static void read_look(json_reader *r, const json_value *root, demo_scene *scene)
 {
     static const char *const names[] = {"lerp", "add", "soft", NULL};
@@ -176,6 +189,7 @@ static void read_look(json_reader *r, const json_value *root, demo_scene *scene)
     read_factor(r, root, "core_pixels", 64, &scene->core_pixels);
     scene->exposure = 1;
     read_factor(r, root, "exposure", 1e6, &scene->exposure);
+    read_light(r, root, scene);
     reader_vector_member(r, root, "background", OPTIONAL, NOT_NEGATIVE, scene->background);
     vector_copy((double[3]){0.2, 0.5, 1}, scene->color);
     reader_vector_member(r, root, "color", OPTIONAL, NOT_NEGATIVE, scene->color);

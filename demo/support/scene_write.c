@@ -190,6 +190,14 @@ static json_t *pair_of(json_writer *w, const char *first_key, double first, cons
     return object;
 }
 
+static void put_light_on_surfaces(json_writer *w, json_t *root, const demo_scene *scene)
+{
+    if (scene->light_reach == 0) return;
+    json_t *object = pair_of(w, "gain", scene->light_gain, "reach", scene->light_reach);
+    if (scene->shadow_thickness > 0) put(w, object, "shadow_thickness", json_real(scene->shadow_thickness));
+    put(w, root, "light", object);
+}
+
 static void put_look(json_writer *w, json_t *root, const demo_scene *scene)
 {
     static const struct {
@@ -199,6 +207,7 @@ static void put_look(json_writer *w, json_t *root, const demo_scene *scene)
     if (scene->sources.epsilon > 0) put(w, root, "epsilon", json_real(scene->sources.epsilon));
     if (scene->core_pixels >= 0) put(w, root, "core_pixels", json_real(scene->core_pixels));
     put(w, root, "exposure", json_real(scene->exposure));
+    put_light_on_surfaces(w, root, scene);
     put(w, root, "background", numbers(w, scene->background, 3));
     put(w, root, "color", numbers(w, scene->color, 3));
     for (size_t i = 0; i < sizeof composites / sizeof *composites; i++)

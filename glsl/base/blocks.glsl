@@ -99,7 +99,7 @@ float ew_end_of_ray(float share)
 
 int ew_simpson_divisions()
 {
-    return ew_frame.simpson.x;
+    return ew_frame.choices.x;
 }
 
 // A member of source i. The first source has it at `start`, and each takes `size` vec4. There are varyings for the only source of a

@@ -20,8 +20,11 @@ struct ew_frame_block {
     vec4 ray_space_y;  // its y
     vec4 ray_space_z;  // its z
     vec4 core_floor;   // x: squared growth of the least core radius with view depth, y: view depth of the anchor; z: its square
-                       // where the view is parallel, both in units of ray space
-    ivec4 simpson;     // x: number of divisions
+                       // where the view is parallel, both in units of ray space; w: how thick things are that cast shadows
+    vec4 light;        // of sources on surfaces: x: the gain, in the unit of ray space, y: the reach; zw: half of the viewport's size
+                       // in pixels
+    ivec4 choices;     // x: number of Simpson's divisions; y: the host's normals, 1 of the view + 2 biased; z: 1 if the view is one
+                       // in perspective
 };
 
 // What adaptive resolution knows of the frame.

@@ -11,6 +11,24 @@ vec3 ew_to_ray_space(vec3 v, float w)
     return vec3(dot(ew_frame.ray_space_x, place), dot(ew_frame.ray_space_y, place), dot(ew_frame.ray_space_z, place));
 }
 
+#ifdef EW_IRRADIANCE
+// The light of all sources that a surface at `position` with the unit normal `normal` receives: see emitter.glsl.
+vec3 ew_irradiance(vec3 position, vec3 normal)
+{
+    return ew_irradiance_of_all(ew_surface(ew_to_ray_space(position, 1.0), normalize(ew_to_ray_space(normal, 0.0))));
+}
+
+// What such a surface mirrors of all sources towards `to_eye`, which need not be unit: see gloss.glsl. The lobe of a roughness, from
+// 0.1 to 1, has the exponent 2 / roughness^4 - 2, as the usual match of Phong's lobe to GGX's does.
+vec3 ew_specular(vec3 position, vec3 normal, vec3 to_eye, float roughness)
+{
+    ew_surface surface = ew_surface(ew_to_ray_space(position, 1.0), normalize(ew_to_ray_space(normal, 0.0)));
+    vec3 mirrored = reflect(-normalize(ew_to_ray_space(to_eye, 0.0)), surface.normal);
+    float exponent = max(2.0 / pow(clamp(roughness, 0.1, 1.0), 4.0) - 2.0, 1.0);
+    return ew_gloss_of_all(surface, ew_gloss(mirrored, exponent));
+}
+#endif
+
 #ifdef EW_WORLD
 // The light of the ray from `origin` on, sum B_i color_i, and B as the fourth component. Cores are as wide as pixels by the view depth
 // along the ray, which is taken not to fall.

@@ -29,8 +29,7 @@ float ew_others(vec4 sum, vec4 color)
     return min(sum.a, 1e6) / max(color.w, 1e-30);
 }
 
-// Adds all sources of a kind: `source` is its block, `read` what reads one. The loop tests at its end: llvmpipe runs the body
-// of a loop that tests first once more, with every lane masked off.
+// Adds all sources of a kind: `source` is its block, `read` what reads one.
 #ifdef EW_WORLD
 #define EW_SPEED length(segment.direction) *
 #else
@@ -38,17 +37,6 @@ float ew_others(vec4 sum, vec4 color)
 #endif
 #define EW_INTEGRAL(source) EW_SPEED ew_integrate(segment, source, chord, ew_others(sum, source.color))
 #define EW_ADD_SOURCE(source) ew_add(EW_INTEGRAL(source), source.color, source.glow, sum)
-// The sources of a kind, by its number: places from EW_FIRST to EW_END of its list.
-#ifdef EW_LISTS
-#define EW_FIRST(kind) ew_list_entry(ew_tile_row + kind)
-#define EW_END(kind, count) ew_list_entry(ew_tile_row + kind + 1)
-#define EW_PLACE(i) ew_list_entry(i)
-#else
-#define EW_FIRST(kind) 0
-#define EW_END(kind, count) count
-#define EW_PLACE(i) i
-#endif
-#define EW_EACH(kind, count, body) { int i = EW_FIRST(kind); int end = EW_END(kind, count); body }
 #ifdef EW_FIELD
 #define EW_ADD(block, read) block source = read(EW_PLACE(i)); sum.a += ew_field_of(segment, source); ++i;
 #define EW_ADD_ALL(block, read) if (i < end) { do { EW_ADD(block, read) } while (i < end); }

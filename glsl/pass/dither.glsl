@@ -4,13 +4,6 @@
 // often as the value is closer to the step above, so the mean over neighbouring pixels stays the value. Where there is no
 // light, 0 stays 0.
 
-// Interleaved gradient noise, in [0, 1): it is spread evenly over every 3 x 3 pixels. Jimenez, "Next Generation Post Processing
-// in Call of Duty: Advanced Warfare" (SIGGRAPH 2014).
-float ew_gradient_noise(vec2 pixel)
-{
-    return fract(52.9829189 * fract(dot(pixel, vec2(0.06711056, 0.00583715))));
-}
-
 #ifdef EW_DITHER_SRGB
 // The sRGB transfer functions (IEC 61966-2-1).
 vec3 ew_encode_srgb(vec3 linear)

@@ -1,5 +1,10 @@
 // The ray through a place of the target.
 
+bool ew_is_perspective()
+{
+    return ew_frame.choices.z == 1;
+}
+
 // The segment of the ray from S to E. `pixel` is relative to the pixel of NDC (0, 0).
 ew_segment ew_pixel_segment(vec2 pixel)
 {

@@ -12,13 +12,8 @@ float ew_sample_straight(ew_path_block path, vec4 start, vec4 end, vec3 position
 #ifdef EW_BENDS
 float ew_sample_bent(ew_path_block path, int i, vec3 position, float s, out vec4 start)
 {
-    vec4 origin = ew_piece_unit(path, 5.0, i, 0);
-    vec4 axis_x = ew_piece_unit(path, 5.0, i, 1);
-    vec4 axis_y = ew_piece_unit(path, 5.0, i, 2);
     vec4 domain = ew_piece_unit(path, 5.0, i, 4);
-    ew_curve_block curve = ew_curve_block(origin, axis_x, axis_y, ew_piece_unit(path, 5.0, i, 3), vec4(domain.xy, 0.0, 0.0), path.color,
-                                          path.glow);
-    ew_polynomial_curve polynomial = ew_make_polynomial_curve(curve);
+    ew_polynomial_curve polynomial = ew_make_polynomial_curve(ew_bent_piece(path, i));
     float tau;
     float distance_squared = ew_nearest_on_curve(polynomial, position, tau);
     start = vec4(polynomial.c0 + polynomial.first * (polynomial.c1 + polynomial.first * polynomial.c2), domain.z);

@@ -12,6 +12,7 @@ enum {
     EW_GL_CELL_TEXTURE_UNIT,
     EW_GL_BLOCK_TEXTURE_UNIT, /* while there are no blocks yet, the peak of the nodes */
     EW_GL_TEXTURE_UNIT_COUNT,
+    EW_GL_NORMAL_TEXTURE_UNIT = EW_GL_NODE_TEXTURE_UNIT, /* of surfaces, which have no grid */
 };
 
 /* The bindings of the uniform blocks. */

@@ -2,8 +2,8 @@
 #include "host/depth_input.h"
 
 #include "base/error.h"
-#include "host/depth_check.h"
 #include "host/state_guard.h"
+#include "host/texture_check.h"
 
 /* A parameter of depth textures that the core profile dropped. */
 enum { COMPATIBILITY_DEPTH_TEXTURE_MODE = 0x884B };

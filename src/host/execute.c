@@ -5,6 +5,7 @@
 #include "host/sample_passes.h"
 #include "host/state_guard.h"
 #include "host/target_check.h"
+#include "host/texture_check.h"
 
 ew_result ew_device_create(ew_device *device, const ew_effect_desc *desc, ew_error *error)
 {
@@ -91,9 +92,15 @@ static void draw_quad(void *user)
     drawing->gl->DrawArrays(GL_TRIANGLE_STRIP, drawing->is_ahead ? EW_QUAD_VERTICES : 0, EW_QUAD_VERTICES);
 }
 
+/* The pass that draws a plan without a grid. */
+static ew_pass whole_pass(const ew_plan *plan)
+{
+    return plan->draws_surfaces ? EW_PASS_SURFACES : EW_PASS_WAVE;
+}
+
 static void draw_every_pixel(ew_drawing *drawing)
 {
-    const GLuint program = drawing->programs.names[EW_PASS_WAVE];
+    const GLuint program = drawing->programs.names[whole_pass(drawing->plan)];
     drawing->gl->UseProgram(program);
     ew_gl_set_viewport(drawing->gl, &drawing->plan->lit);
     if (drawing->depth->samples > 0)
@@ -122,17 +129,18 @@ static bool draw_on_grid(ew_grid *grid, const ew_drawing *drawing, ew_gl_state *
 static ew_gl_draw_state draw_state(const ew_target *target)
 {
     static const struct {
-        GLenum destination_rgb, source_alpha, destination_alpha;
-    } factors[] = {[EW_BLEND_REPLACE] = {GL_ONE, GL_ZERO, GL_ONE},
-                   [EW_BLEND_OVER] = {GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA},
-                   [EW_BLEND_ADD] = {GL_ONE, GL_ZERO, GL_ONE},
-                   [EW_BLEND_SOFT] = {GL_ONE_MINUS_SRC_COLOR, GL_ZERO, GL_ONE}};
+        GLenum source_rgb, destination_rgb, source_alpha, destination_alpha;
+    } factors[] = {[EW_BLEND_REPLACE] = {GL_ONE, GL_ONE, GL_ZERO, GL_ONE},
+                   [EW_BLEND_OVER] = {GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA},
+                   [EW_BLEND_ADD] = {GL_ONE, GL_ONE, GL_ZERO, GL_ONE},
+                   [EW_BLEND_SOFT] = {GL_ONE, GL_ONE_MINUS_SRC_COLOR, GL_ZERO, GL_ONE},
+                   [EW_BLEND_LIGHT] = {GL_DST_COLOR, GL_ONE, GL_ZERO, GL_ONE}};
     const ew_viewport *viewport = &target->viewport;
     return (ew_gl_draw_state){
         .framebuffer = target->framebuffer,
         .viewport = {viewport->x, viewport->y, viewport->width, viewport->height},
         .blend = target->blend != EW_BLEND_REPLACE,
-        .source_rgb = GL_ONE,
+        .source_rgb = factors[target->blend].source_rgb,
         .destination_rgb = factors[target->blend].destination_rgb,
         .source_alpha = factors[target->blend].source_alpha,
         .destination_alpha = factors[target->blend].destination_alpha,
@@ -154,7 +162,24 @@ static ew_result check_names(const ew_gl *gl, const ew_plan *plan, ew_error *err
                        "this context is older");
     if (depth->source != EW_DEPTH_FRAMEBUFFER && depth->texture && !gl->IsTexture(depth->texture))
         return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "depth_texture %u is no texture", depth->texture);
+    if (plan->normal_texture && !gl->IsTexture(plan->normal_texture))
+        return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "normal_texture %u is no texture", plan->normal_texture);
     return EW_OK;
+}
+
+/* Binds the host's normals, if the plan has any. */
+static ew_result bind_normals(const ew_device *device, const ew_plan *plan, ew_error *error)
+{
+    const ew_gl *gl = &device->gl;
+    GLint bound = 0;
+    if (plan->normal_texture == 0) return EW_OK;
+    gl->ActiveTexture(GL_TEXTURE0 + EW_GL_NORMAL_TEXTURE_UNIT);
+    gl->BindSampler(EW_GL_NORMAL_TEXTURE_UNIT, device->depth_sampler);
+    gl->BindTexture(GL_TEXTURE_2D, plan->normal_texture);
+    gl->GetIntegerv(GL_TEXTURE_BINDING_2D, &bound);
+    if ((GLuint)bound == plan->normal_texture) return ew_normal_check(gl, plan, error);
+    gl->GetError();
+    return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "normal_texture %u is no GL_TEXTURE_2D", plan->normal_texture);
 }
 
 /* What is done with a plan within the guard: ew_execute's part, or ew_execute_ahead's. */
@@ -182,7 +207,7 @@ static ew_result find_programs(ew_device *device, const plan_task *task, bool on
 {
     *steps_left = 0;
     for (int pass = 0; pass < EW_PASS_COUNT; ++pass) {
-        if ((pass == EW_PASS_WAVE) == on_grid) continue;
+        if (on_grid ? !ew_pass_is_of_grid((ew_pass)pass) : (ew_pass)pass != whole_pass(task->plan)) continue;
         if (*steps_left > 0 && !device->gl.parallel_shader_compile) {
             *steps_left += ew_program_steps(&device->programs[pass], ew_permutation_of_pass((ew_pass)pass, key));
             continue;
@@ -215,7 +240,8 @@ static ew_result draw(ew_device *device, const plan_task *task, bool on_grid, un
 {
     const ew_gl *gl = &device->gl;
     ew_depth_input depth;
-    ew_result result = ew_depth_input_bind(&device->depth_copy, gl, task->plan, depth_kind, &depth, error);
+    ew_result result = bind_normals(device, task->plan, error);
+    if (result == EW_OK) result = ew_depth_input_bind(&device->depth_copy, gl, task->plan, depth_kind, &depth, error);
     if (result != EW_OK) return result;
     gl->BindSampler(EW_GL_DEPTH_TEXTURE_UNIT, device->depth_sampler);
     fill_uniform_buffer(device, task->plan);

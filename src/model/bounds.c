@@ -60,11 +60,13 @@ ew_bounds ew_find_source_bounds(const ew_lit_source *lit, const ew_view *view, c
     return to_bounds(&silhouette, viewport);
 }
 
-ew_bounds ew_find_bounds(const ew_sources *sources, const ew_view *view, const ew_interval *depths, const ew_viewport *viewport)
+ew_bounds ew_find_bounds(const ew_sources *sources, double light_reach, const ew_view *view, const ew_interval *depths,
+                         const ew_viewport *viewport)
 {
     ew_silhouette all = nothing;
     for (size_t i = 0; i < sources->lit_count; ++i) {
-        const ew_silhouette one = silhouette_of(&sources->lit[i], view, depths);
+        const ew_lit_source lit = ew_lit_source_at(sources, i, light_reach);
+        const ew_silhouette one = silhouette_of(&lit, view, depths);
         unite(&all, &one);
     }
     return to_bounds(&all, viewport);

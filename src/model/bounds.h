@@ -9,8 +9,8 @@
 ew_bounds ew_find_source_bounds(const ew_lit_source *lit, const ew_view *view, const ew_interval *depths,
                                 const ew_viewport *viewport);
 
-/* The same of all sources. */
-ew_bounds ew_find_bounds(const ew_sources *sources, const ew_view *view, const ew_interval *depths,
+/* The same of all sources. `light_reach`: see ew_lit_source_at. */
+ew_bounds ew_find_bounds(const ew_sources *sources, double light_reach, const ew_view *view, const ew_interval *depths,
                          const ew_viewport *viewport);
 
 #endif

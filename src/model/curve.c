@@ -83,5 +83,8 @@ const ew_kind ew_curve_kind = {
     .pack = pack,
     .adaptive_files = {ew_glsl_arc_glsl, ew_glsl_passage_glsl, ew_glsl_cell_glsl, ew_glsl_stretch_glsl, ew_glsl_rest_glsl,
                        ew_glsl_knot_glsl, ew_glsl_rest_panels_glsl, ew_glsl_curve_glsl},
-    .sampling_files = {ew_glsl_curve_distance_glsl},
+    .sampling_files = {ew_glsl_polynomial_curve_glsl, ew_glsl_curve_distance_glsl},
+    .irradiance_files = {ew_glsl_polynomial_curve_glsl, ew_glsl_straight_emitter_glsl, ew_glsl_bent_emitter_glsl,
+                         ew_glsl_curve_irradiance_glsl},
+    .gloss_files = {ew_glsl_chords_glsl, ew_glsl_curve_gloss_glsl},
 };

@@ -124,6 +124,9 @@ typedef struct ew_kind {
     /* GLSL files, in order: for the adaptive integrator, and for those that only sample the field. */
     const char *adaptive_files[EW_KIND_MAX_FILES];
     const char *sampling_files[EW_KIND_MAX_FILES];
+    /* For the light on surfaces. */
+    const char *irradiance_files[EW_KIND_MAX_FILES];
+    const char *gloss_files[EW_KIND_MAX_FILES]; /* behind those */
 } ew_kind;
 
 /* The part of a row that the names of a kind make: EW_KIND_NAMES(point, POINT, points). */

@@ -14,6 +14,7 @@
 #define EW_MAX_VIEW_DEVIATION 1e-3 /* of R^T R from 1 */
 #define EW_MAX_WINDOW_DEPTH 1e15
 #define EW_MAX_CORE_PIXELS 64.0
+#define EW_MAX_LIGHT_GAIN 1e6
 #define EW_MAX_EXPOSURE 1e6
 
 #endif

@@ -57,4 +57,6 @@ const ew_kind ew_line_kind = {
     .pack = pack,
     .adaptive_files = {ew_glsl_line_glsl},
     .sampling_files = {ew_glsl_line_glsl},
+    .irradiance_files = {ew_glsl_straight_emitter_glsl, ew_glsl_line_irradiance_glsl},
+    .gloss_files = {ew_glsl_line_gloss_glsl},
 };

@@ -71,11 +71,13 @@ static ew_interval interval_of(const lit_range *range, const ew_view *view)
     return interval;
 }
 
-ew_lit_space ew_find_lit_space(const ew_sources *sources, const ew_view *view, double core_growth)
+ew_lit_space ew_find_lit_space(const ew_sources *sources, double light_reach, const ew_view *view, double core_growth)
 {
     lit_range range = {HUGE_VAL, -HUGE_VAL, -1, 0};
     if (ew_is_parallel(view)) core_growth = 0;
-    for (size_t i = 0; i < sources->lit_count; ++i)
-        take(&range, &sources->lit[i], view, core_growth);
+    for (size_t i = 0; i < sources->lit_count; ++i) {
+        const ew_lit_source lit = ew_lit_source_at(sources, i, light_reach);
+        take(&range, &lit, view, core_growth);
+    }
     return (ew_lit_space){interval_of(&range, view), range.farthest > 0 ? range.farthest : 1};
 }

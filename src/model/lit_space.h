@@ -15,7 +15,7 @@ typedef struct ew_lit_space {
 } ew_lit_space;
 
 /* Where a source has no end, the interval ends where its core, which grows by `core_growth` a unit of depth, is as wide as its
- * reach, or far away. */
-ew_lit_space ew_find_lit_space(const ew_sources *sources, const ew_view *view, double core_growth);
+ * reach, or far away. `light_reach`: see ew_lit_source_at. */
+ew_lit_space ew_find_lit_space(const ew_sources *sources, double light_reach, const ew_view *view, double core_growth);
 
 #endif

@@ -162,7 +162,7 @@ static ew_result pack_pieces(const ew_source_name *name, const ew_ray_space *spa
 static const char *const bend_files[] = {
     ew_glsl_curve_chord_glsl, ew_glsl_arc_glsl,  ew_glsl_passage_glsl,     ew_glsl_cell_glsl,  ew_glsl_stretch_glsl,
     ew_glsl_rest_glsl,        ew_glsl_knot_glsl, ew_glsl_rest_panels_glsl, ew_glsl_curve_glsl, NULL};
-static const char *const sampled_bend_files[] = {ew_glsl_curve_distance_glsl, NULL};
+static const char *const sampled_bend_files[] = {ew_glsl_polynomial_curve_glsl, ew_glsl_curve_distance_glsl, NULL};
 
 static const ew_chain_kind chain = {.most_piece_units = most_piece_units,
                                     .bend_files = bend_files,
@@ -188,4 +188,7 @@ const ew_kind ew_path_kind_row = {
                        ew_glsl_path_weighted_slab_glsl, ew_glsl_path_straight_glsl, ew_glsl_path_beam_glsl,
                        ew_glsl_path_bends_glsl, ew_glsl_path_glsl},
     .sampling_files = {ew_glsl_path_pieces_glsl, ew_glsl_path_distance_glsl},
+    .irradiance_files = {ew_glsl_path_pieces_glsl, ew_glsl_polynomial_curve_glsl, ew_glsl_straight_emitter_glsl,
+                         ew_glsl_bent_emitter_glsl, ew_glsl_path_irradiance_glsl},
+    .gloss_files = {ew_glsl_chords_glsl, ew_glsl_path_gloss_glsl},
 };

@@ -44,4 +44,6 @@ const ew_kind ew_point_kind = {
     .pack = pack,
     .adaptive_files = {ew_glsl_point_glsl},
     .sampling_files = {ew_glsl_point_glsl},
+    .irradiance_files = {ew_glsl_point_irradiance_glsl},
+    .gloss_files = {ew_glsl_point_gloss_glsl},
 };

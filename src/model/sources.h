@@ -44,6 +44,15 @@ typedef struct ew_sources {
     size_t weight_units; /* where they begin, in units */
 } ew_sources;
 
+/* Source i, kind after kind. A `light_reach` > 0 is how far it lights surfaces, in the place of its own reach; 0 stands for
+ * that. */
+static inline ew_lit_source ew_lit_source_at(const ew_sources *sources, size_t i, double light_reach)
+{
+    ew_lit_source lit = sources->lit[i];
+    if (light_reach > 0) lit.reach = light_reach;
+    return lit;
+}
+
 /* The size of the largest block that is used where GL takes blocks of `block_size` bytes. */
 size_t ew_largest_block(size_t block_size);
 

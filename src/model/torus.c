@@ -68,4 +68,6 @@ const ew_kind ew_torus_kind = {
     .adaptive_files = {ew_glsl_torus_side_glsl, ew_glsl_torus_core_glsl, ew_glsl_torus_part_glsl, ew_glsl_torus_panel_glsl,
                        ew_glsl_torus_glsl},
     .sampling_files = {ew_glsl_torus_distance_glsl},
+    .irradiance_files = {ew_glsl_straight_emitter_glsl, ew_glsl_torus_irradiance_glsl},
+    .gloss_files = {ew_glsl_torus_gloss_glsl},
 };

@@ -5,6 +5,8 @@
 #include "model/limits.h"
 #include "model/rays.h"
 
+#include <math.h>
+
 /* An enumeration, or a choice between 0 and 1, that a host may have left unset. */
 typedef struct choice {
     int value;
@@ -38,6 +40,11 @@ bool ew_is_world_frame(const ew_frame_desc *frame)
     return frame->interval_start == 0 && frame->interval_end == 0;
 }
 
+bool ew_draws_surfaces(const ew_frame_desc *frame)
+{
+    return frame->output == EW_OUTPUT_SURFACES;
+}
+
 double ew_core_pixels_of(const ew_frame_desc *frame)
 {
     if (frame->core_pixels != EW_CORE_PIXELS_DEFAULT) return frame->core_pixels;
@@ -64,6 +71,12 @@ static ew_result check_look(const ew_frame_desc *frame, ew_error *error)
     if (!(core_pixels >= 0 && core_pixels <= EW_MAX_CORE_PIXELS))
         return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "core_pixels must be in [0, %g], or EW_CORE_PIXELS_DEFAULT",
                        EW_MAX_CORE_PIXELS);
+    if (!(frame->light_gain >= 0 && frame->light_gain <= EW_MAX_LIGHT_GAIN))
+        return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "light_gain must be in [0, %g]", EW_MAX_LIGHT_GAIN);
+    if (!(frame->light_reach >= 0 && isfinite(frame->light_reach)))
+        return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "light_reach must be finite and >= 0");
+    if (!(frame->shadow_thickness >= 0 && isfinite(frame->shadow_thickness)))
+        return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "shadow_thickness must be finite and >= 0");
     if (!(frame->exposure >= 0 && frame->exposure <= EW_MAX_EXPOSURE))
         return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "exposure must be in [0, %g]", EW_MAX_EXPOSURE);
     return EW_OK;
@@ -90,6 +103,16 @@ ew_result ew_check_integral(const ew_frame_desc *frame, ew_error *error)
     return result == EW_OK ? check_integrator(frame, error) : result;
 }
 
+static ew_result check_surfaces(const ew_frame_desc *frame, ew_error *error)
+{
+    if (frame->light_reach == 0)
+        return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "light_reach must be > 0 for the output EW_OUTPUT_SURFACES");
+    if (frame->depth_source != EW_DEPTH_FRAMEBUFFER && frame->depth_texture == 0)
+        return ew_fail(error, EW_ERROR_INVALID_ARGUMENT,
+                       "depth_texture must not be 0 for the output EW_OUTPUT_SURFACES: surfaces are found from their depth");
+    return EW_OK;
+}
+
 ew_result ew_check_target(const ew_frame_desc *frame, ew_error *error)
 {
     if (frame->viewport_width <= 0 || frame->viewport_height <= 0)
@@ -100,8 +123,10 @@ ew_result ew_check_target(const ew_frame_desc *frame, ew_error *error)
         {(int)frame->depth_source, EW_DEPTH_TEXTURE_LINEAR, "depth_source must be one of ew_depth_source"},
         {(int)frame->resolution, EW_RESOLUTION_ADAPTIVE, "resolution must be one of ew_resolution"},
         {frame->dither, 1, "dither must be 0 or 1"},
+        {(int)frame->normal_encoding, EW_NORMAL_VIEW_BIASED, "normal_encoding must be an ew_normal_encoding"},
         {frame->keep_stencil_test, 1, "keep_stencil_test must be 0 or 1"},
         {frame->skip_restore, 1, "skip_restore must be 0 or 1"},
     };
-    return check_choices(choices, sizeof choices / sizeof choices[0], error);
+    ew_result result = check_choices(choices, sizeof choices / sizeof choices[0], error);
+    return result == EW_OK && ew_draws_surfaces(frame) ? check_surfaces(frame, error) : result;
 }

@@ -9,6 +9,9 @@
 /* Whether the frame asks for the world integral: it has no interval. */
 bool ew_is_world_frame(const ew_frame_desc *frame);
 
+/* Whether it asks for the light on surfaces. */
+bool ew_draws_surfaces(const ew_frame_desc *frame);
+
 /* The frame's core_pixels, or the default of its integral. */
 double ew_core_pixels_of(const ew_frame_desc *frame);
 

@@ -30,13 +30,20 @@ static unsigned dither_of(const ew_frame_desc *frame)
     return EW_PERMUTATION_DITHER | (frame->encoding == EW_ENCODING_SRGB_8BIT ? (unsigned)EW_PERMUTATION_DITHER_SRGB : 0);
 }
 
+static unsigned emitters_of(const ew_mix *mix, const ew_frame_desc *frame)
+{
+    unsigned key = EW_PERMUTATION_IRRADIANCE | EW_PERMUTATION_WORLD;
+    if (frame->shadow_thickness > 0) key |= EW_PERMUTATION_SHADOWS;
+    if (frame->normal_texture != 0) key |= EW_PERMUTATION_NORMALS;
+    if (mix->has_reach) key |= EW_PERMUTATION_REACH;
+    return key;
+}
+
 static unsigned field_of(const ew_mix *mix, const ew_frame_desc *frame)
 {
     unsigned key = ew_is_world_frame(frame) ? EW_PERMUTATION_WORLD | EW_PERMUTATION_REACH : 0;
     if (mix->has_reach) key |= EW_PERMUTATION_REACH;
     if (mix->has_sharpness) key |= EW_PERMUTATION_SHARPNESS | EW_PERMUTATION_REACH;
-    if (mix->has_joints && mix->path_count > 0) key |= EW_PERMUTATION_JOINTS;
-    if (mix->has_bends && mix->path_count > 0) key |= EW_PERMUTATION_BENDS | EW_PERMUTATION_JOINTS;
     if (ew_core_pixels_of(frame) > 0) key |= EW_PERMUTATION_CORE_PIXELS;
     return key;
 }
@@ -61,7 +68,9 @@ double ew_mix_cost(const ew_mix *mix)
 
 unsigned ew_permutation_of(const ew_mix *mix, const ew_frame_desc *frame)
 {
-    unsigned key = dither_of(frame) | field_of(mix, frame);
+    unsigned key = dither_of(frame) | (ew_draws_surfaces(frame) ? emitters_of(mix, frame) : field_of(mix, frame));
+    if (mix->has_joints && mix->path_count > 0) key |= EW_PERMUTATION_JOINTS;
+    if (mix->has_bends && mix->path_count > 0) key |= EW_PERMUTATION_BENDS | EW_PERMUTATION_JOINTS;
     bool takes_weights = false;
     for (int kind = 0; kind < EW_KIND_COUNT; ++kind) {
         size_t count = count_in(mix, kind);
@@ -69,7 +78,7 @@ unsigned ew_permutation_of(const ew_mix *mix, const ew_frame_desc *frame)
         takes_weights = takes_weights || (ew_kinds[kind]->weights && count > 0);
     }
     if (mix->has_weights && takes_weights) key |= EW_PERMUTATION_WEIGHTS;
-    if (frame->integrator == EW_INTEGRATOR_SIMPSON) key |= EW_PERMUTATION_SIMPSON;
+    if (frame->integrator == EW_INTEGRATOR_SIMPSON && !ew_draws_surfaces(frame)) key |= EW_PERMUTATION_SIMPSON;
     if (frame->output == EW_OUTPUT_SOFT) key |= EW_PERMUTATION_SOFT;
     if (frame->output == EW_OUTPUT_LUMINANCE) key |= EW_PERMUTATION_LUMINANCE;
     if (frame->output == EW_OUTPUT_EVALUATIONS) key |= EW_PERMUTATION_EVALUATIONS;

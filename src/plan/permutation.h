@@ -25,7 +25,10 @@ enum {
     EW_PERMUTATION_BENDS = 1 << 14, /* with EW_PERMUTATION_JOINTS */
     EW_PERMUTATION_LISTS = 1 << 15, /* with EW_PERMUTATION_REACH and no exact counts */
     EW_PERMUTATION_SOURCE_TEXTURE = 1 << 16,
-    EW_PERMUTATION_FLAG_COUNT = 17,
+    EW_PERMUTATION_IRRADIANCE = 1 << 17, /* the light on surfaces */
+    EW_PERMUTATION_SHADOWS = 1 << 18,    /* with EW_PERMUTATION_IRRADIANCE, of the pass of surfaces */
+    EW_PERMUTATION_NORMALS = 1 << 19,    /* likewise */
+    EW_PERMUTATION_FLAG_COUNT = 20,
 };
 
 /* Above the flags stand the counts of sources by kind, each in a field of EW_PERMUTATION_COUNT_BITS: 0 and 1 stand for

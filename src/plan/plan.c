@@ -67,6 +67,8 @@ static void pack_viewport(ew_plan *plan, const ew_frame_desc *frame, const ew_li
     double growth = core_growth_of(frame), unit = space->unit;
     block->core_floor.x = ew_is_parallel(&view) ? 0 : (float)(growth * growth);
     set_lit(plan, &viewport);
+    block->light.z = 0.5f * (float)viewport.width;
+    block->light.w = 0.5f * (float)viewport.height;
     plan->uniforms.grid.tolerance = (ew_vec4){(float)interpolation_tolerance(frame->quality), 0.03f, 0, 0};
     block->core_floor.z = ew_is_parallel(&view) ? (float)(growth * growth / (unit * unit)) : 0;
 }
@@ -75,19 +77,30 @@ static void pack_viewport(ew_plan *plan, const ew_frame_desc *frame, const ew_li
 static ew_lit_space space_of(const ew_frame_desc *frame, const ew_sources *sources)
 {
     const ew_view view = ew_view_of(frame);
-    if (ew_is_world_frame(frame)) return ew_find_lit_space(sources, &view, core_growth_of(frame));
+    if (ew_draws_surfaces(frame)) return ew_find_lit_space(sources, frame->light_reach, &view, 0);
+    if (ew_is_world_frame(frame)) return ew_find_lit_space(sources, 0, &view, core_growth_of(frame));
     return (ew_lit_space){{frame->interval_start, frame->interval_end}, frame->interval_end - frame->interval_start};
 }
 
 static ew_packing packing_of(const ew_frame_desc *frame, const ew_lit_space *space)
 {
-    bool is_world = ew_is_world_frame(frame);
+    bool is_world = ew_is_world_frame(frame) || ew_draws_surfaces(frame);
     /* d ds = (length d') (ds): over the interval's length, B is what it is in world units. The world integral is over the way
      * itself, which is as long in the unit of d. */
     return (ew_packing){.space = {frame->view, space->interval.start, space->unit},
                         .coefficient_scale = is_world ? 1 : frame->decay_alpha / space->unit,
                         .exposure = frame->exposure,
                         .least_core = is_world ? EW_MIN_CORE : EW_MIN_EPSILON};
+}
+
+/* An integral over a source's length is as many times smaller in ray space as its unit is longer. */
+static void pack_light(const ew_frame_desc *frame, const ew_packing *packing, struct ew_frame_block *block)
+{
+    double scale = packing->coefficient_scale * packing->space.length;
+    block->light.x = scale > 0 ? (float)(frame->light_gain / scale) : 0;
+    /* Where it is less than a pixel by far, powers of it would be no numbers. */
+    block->light.y = (float)fmax(frame->light_reach / packing->space.length, 1e-6);
+    block->core_floor.w = (float)(frame->shadow_thickness / packing->space.length);
 }
 
 /* Fills the plan's uniforms for a checked frame, but for what depends on the viewport. */
@@ -97,7 +110,8 @@ static ew_result pack(ew_plan *plan, ew_sources *sources, const ew_frame_desc *f
     const ew_view view = ew_view_of(frame);
     const ew_packing packing = packing_of(frame, space);
     const ew_interval *interval = &space->interval;
-    ew_result result = ew_is_world_frame(frame) ? ew_sources_check_reach(sources, error) : EW_OK;
+    bool needs_reach = ew_is_world_frame(frame) && !ew_draws_surfaces(frame);
+    ew_result result = needs_reach ? ew_sources_check_reach(sources, error) : EW_OK;
     if (result == EW_OK) result = ew_check_rays(&view, interval, error);
     if (result == EW_OK) result = ew_sources_pack(sources, &packing, error);
     if (result != EW_OK) return result;
@@ -108,7 +122,8 @@ static ew_result pack(ew_plan *plan, ew_sources *sources, const ew_frame_desc *f
         (ew_vec4){(float)frame->decay_beta, (float)(sources->epsilon / packing.space.length),
                   (float)panel_tolerance(frame->quality), (float)((interval->end - interval->start) / packing.space.length)};
     block->core_floor.y = (float)(interval->start / packing.space.length);
-    block->simpson.x = frame->simpson_divisions;
+    pack_light(frame, &packing, block);
+    block->choices = (ew_ivec4){frame->simpson_divisions, frame->normal_encoding, !ew_is_parallel(&view), 0};
     for (int kind = 0; kind < EW_KIND_COUNT; ++kind)
         plan->uniforms.source_counts[kind] = (int)sources->counts[kind];
     plan->source_data = sources->data;
@@ -137,6 +152,8 @@ static ew_blend blend_of(ew_output output)
         return EW_BLEND_ADD;
     case EW_OUTPUT_SOFT:
         return EW_BLEND_SOFT;
+    case EW_OUTPUT_SURFACES:
+        return EW_BLEND_LIGHT;
     default:
         return EW_BLEND_REPLACE;
     }
@@ -148,7 +165,7 @@ enum { MIN_ADAPTIVE_PIXELS = 256 * 256, MIN_ADAPTIVE_COST = 3 };
 static bool is_adaptive(const ew_frame_desc *frame, const ew_mix *mix)
 {
     return frame->resolution == EW_RESOLUTION_ADAPTIVE && frame->integrator == EW_INTEGRATOR_ADAPTIVE &&
-           frame->output != EW_OUTPUT_EVALUATIONS && ew_mix_cost(mix) >= MIN_ADAPTIVE_COST &&
+           frame->output != EW_OUTPUT_EVALUATIONS && !ew_draws_surfaces(frame) && ew_mix_cost(mix) >= MIN_ADAPTIVE_COST &&
            (double)frame->viewport_width * frame->viewport_height >= MIN_ADAPTIVE_PIXELS;
 }
 
@@ -171,6 +188,9 @@ ew_result ew_plan_frame(ew_plan *plan, ew_sources *sources, const ew_mix *mix, c
     plan->target = (ew_target){frame->framebuffer, viewport, blend_of(frame->output), frame->encoding == EW_ENCODING_SRGB_8BIT,
                                frame->keep_stencil_test};
     plan->depth = (ew_depth_request){frame->depth_source, frame->depth_texture};
+    plan->draws_surfaces = ew_draws_surfaces(frame);
+    plan->light_reach = plan->draws_surfaces ? frame->light_reach : 0;
+    plan->normal_texture = plan->draws_surfaces ? frame->normal_texture : 0;
     plan->is_adaptive = is_adaptive(frame, mix ? mix : &current);
     plan->skips_restore = frame->skip_restore;
     return EW_OK;
@@ -181,8 +201,9 @@ ew_result ew_plan_lists(ew_plan *plan, ew_tile_lists *lists, const ew_sources *s
 {
     const ew_view view = ew_view_of(frame);
     /* The published method is a baseline, and looks at every source. */
-    if (frame->integrator == EW_INTEGRATOR_SIMPSON || !(plan->permutation & EW_PERMUTATION_REACH)) return EW_OK;
-    ew_result result = ew_make_tile_lists(lists, sources, &view, &plan->depths, &plan->target.viewport, room, allocator, error);
+    if (plan->permutation & EW_PERMUTATION_SIMPSON || !(plan->permutation & EW_PERMUTATION_REACH)) return EW_OK;
+    ew_result result = ew_make_tile_lists(lists, sources, plan->light_reach, &view, &plan->depths, &plan->target.viewport, room,
+                                          allocator, error);
     if (result != EW_OK || lists->entry_count == 0) return result;
     plan->permutation = ew_permutation_with_lists(plan->permutation);
     plan->lists = lists;
@@ -197,11 +218,13 @@ ew_result ew_plan_bounds(const ew_sources *sources, const ew_frame_desc *frame, 
 {
     ew_result result = ew_check_integral(frame, error);
     if (result == EW_OK) result = ew_check_target(frame, error);
-    if (result == EW_OK && ew_is_world_frame(frame)) result = ew_sources_check_reach(sources, error);
+    bool draws_surfaces = result == EW_OK && ew_draws_surfaces(frame);
+    if (result == EW_OK && ew_is_world_frame(frame) && !draws_surfaces) result = ew_sources_check_reach(sources, error);
     if (result != EW_OK) return result;
     const ew_view view = ew_view_of(frame);
+    const bool is_everywhere = ew_is_world_frame(frame) || draws_surfaces;
     const ew_interval world = {ew_first_depth(&view), HUGE_VAL}, own = {frame->interval_start, frame->interval_end};
     const ew_viewport viewport = viewport_of(frame);
-    *bounds = ew_find_bounds(sources, &view, ew_is_world_frame(frame) ? &world : &own, &viewport);
+    *bounds = ew_find_bounds(sources, draws_surfaces ? frame->light_reach : 0, &view, is_everywhere ? &world : &own, &viewport);
     return EW_OK;
 }

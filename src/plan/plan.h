@@ -12,9 +12,10 @@
 /* What becomes of the shader's colour and the target's: see ew_output. */
 typedef enum ew_blend {
     EW_BLEND_REPLACE,
-    EW_BLEND_OVER, /* premultiplied */
-    EW_BLEND_ADD,  /* alpha is left alone */
-    EW_BLEND_SOFT, /* the target pales by the colour; alpha is left alone */
+    EW_BLEND_OVER,  /* premultiplied */
+    EW_BLEND_ADD,   /* alpha is left alone */
+    EW_BLEND_SOFT,  /* the target pales by the colour; alpha is left alone */
+    EW_BLEND_LIGHT, /* the target is the albedo of what the colour lights; alpha is left alone */
 } ew_blend;
 
 /* Where and how to draw. */
@@ -44,6 +45,9 @@ typedef struct ew_plan {
     ew_depth_request depth;
     ew_viewport lit;  /* what of the target's viewport is drawn: all that the sources can light */
     bool is_adaptive; /* in resolution */
+    bool draws_surfaces;
+    double light_reach;      /* of that; else 0 */
+    unsigned normal_texture; /* of surfaces; 0: from their depth */
     bool skips_restore;
 } ew_plan;
 

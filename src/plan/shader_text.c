@@ -85,9 +85,10 @@ static size_t source_varyings(const ew_dialect *dialect, unsigned key)
 static void add_defines(ew_shader_text *text, const ew_dialect *dialect, unsigned key)
 {
     static const char *const flags[EW_PERMUTATION_FLAG_COUNT] = {
-        "WEIGHTS", "DEPTH",       "SIMPSON", "LUMINANCE", "EVALUATIONS",   "DEPTH_MULTISAMPLE",
-        "DITHER",  "DITHER_SRGB", "WORLD",   "REACH",     "CORE_PIXELS",   "SHARPNESS",
-        "SOFT",    "JOINTS",      "BENDS",   "LISTS",     "SOURCE_TEXTURE"};
+        "WEIGHTS", "DEPTH",       "SIMPSON", "LUMINANCE", "EVALUATIONS",    "DEPTH_MULTISAMPLE",
+        "DITHER",  "DITHER_SRGB", "WORLD",   "REACH",     "CORE_PIXELS",    "SHARPNESS",
+        "SOFT",    "JOINTS",      "BENDS",   "LISTS",     "SOURCE_TEXTURE", "IRRADIANCE",
+        "SHADOWS", "NORMALS"};
     add_made(text, "#define EW_SOURCE_DATA_SIZE %zu\n", dialect->capacity);
     if (key & EW_PERMUTATION_LISTS) add_made(text, "#define EW_LIST_SIZE %zu\n", dialect->list_size);
     for (int i = 0; i < EW_PERMUTATION_FLAG_COUNT; ++i)
@@ -197,8 +198,8 @@ static const ew_integrator_text *integrator_of(unsigned key)
     return key & EW_PERMUTATION_SIMPSON ? &simpson : &adaptive;
 }
 
-/* The light along a segment of a ray. */
-static void add_light(ew_shader_text *text, unsigned key, const ew_integrator_text *integrator, bool has_grid)
+/* What the light along rays and that on surfaces share. */
+static void add_sources(ew_shader_text *text, unsigned key, bool has_grid)
 {
     add_file(text, ew_glsl_layout_glsl);
     add_file(text, ew_glsl_blocks_glsl);
@@ -208,6 +209,14 @@ static void add_light(ew_shader_text *text, unsigned key, const ew_integrator_te
     add_file(text, ew_glsl_core_glsl);
     add_file(text, ew_glsl_components_glsl);
     if (key & EW_PERMUTATION_WEIGHTS) add_file(text, ew_glsl_weight_glsl);
+    if (key & EW_PERMUTATION_LISTS) add_file(text, ew_glsl_list_glsl);
+    add_file(text, ew_glsl_each_glsl);
+}
+
+/* The light along a segment of a ray. */
+static void add_light(ew_shader_text *text, unsigned key, const ew_integrator_text *integrator, bool has_grid)
+{
+    add_sources(text, key, has_grid);
     if (integrator->is_sampling) {
         add(text, "#define EW_SAMPLING\n");
         add_file(text, ew_glsl_sample_glsl);
@@ -215,8 +224,32 @@ static void add_light(ew_shader_text *text, unsigned key, const ew_integrator_te
     for (int i = 0; integrator->before[i]; ++i)
         add_file(text, integrator->before[i]);
     add_kinds(text, key, integrator);
-    if (key & EW_PERMUTATION_LISTS) add_file(text, ew_glsl_list_glsl);
     add_file(text, ew_glsl_light_glsl);
+}
+
+static void add_files_once(ew_shader_text *text, const char *const files[EW_KIND_MAX_FILES])
+{
+    for (int i = 0; i < EW_KIND_MAX_FILES && files[i]; ++i)
+        add_file_once(text, files[i]);
+}
+
+/* The light on surfaces. */
+static void add_irradiance(ew_shader_text *text, unsigned key)
+{
+    add_file(text, ew_glsl_emitter_glsl);
+    for (int kind = 0; kind < EW_KIND_COUNT; ++kind)
+        if (ew_permutation_count(key, kind) > 0) add_files_once(text, ew_kinds[kind]->irradiance_files);
+    add_file(text, ew_glsl_irradiance_glsl);
+}
+
+/* What glossy surfaces mirror of that. */
+static void add_gloss(ew_shader_text *text, unsigned key)
+{
+    add_file_once(text, ew_glsl_straight_emitter_glsl);
+    add_file(text, ew_glsl_gloss_glsl);
+    for (int kind = 0; kind < EW_KIND_COUNT; ++kind)
+        if (ew_permutation_count(key, kind) > 0) add_files_once(text, ew_kinds[kind]->gloss_files);
+    add_file(text, ew_glsl_gloss_of_all_glsl);
 }
 
 static void start(ew_shader_text *text, bool numbers_lines)
@@ -229,7 +262,8 @@ static void start(ew_shader_text *text, bool numbers_lines)
 
 static bool integrates(ew_pass pass)
 {
-    return pass == EW_PASS_WAVE || pass == EW_PASS_NODES || pass == EW_PASS_FIELD || pass == EW_PASS_CELLS;
+    return pass == EW_PASS_WAVE || pass == EW_PASS_NODES || pass == EW_PASS_FIELD || pass == EW_PASS_CELLS ||
+           pass == EW_PASS_SURFACES;
 }
 
 static bool draws_patches(ew_pass pass)
@@ -286,7 +320,9 @@ void ew_write_vertex_shader(ew_shader_text *text, const ew_dialect *dialect, ew_
 static void add_target_files(ew_shader_text *text, unsigned key)
 {
     add_file(text, ew_glsl_composite_glsl);
-    if (key & EW_PERMUTATION_DITHER) add_file(text, ew_glsl_dither_glsl);
+    if (!(key & EW_PERMUTATION_DITHER)) return;
+    add_file(text, ew_glsl_noise_glsl);
+    add_file(text, ew_glsl_dither_glsl);
 }
 
 static void add_depth(ew_shader_text *text, unsigned key)
@@ -318,8 +354,28 @@ void ew_write_fragment_shader_with(ew_shader_text *text, const ew_dialect *diale
     write_integrating_shader(text, dialect, EW_PASS_WAVE, key, integrator);
 }
 
+static void write_surface_shader(ew_shader_text *text, const ew_dialect *dialect, unsigned key)
+{
+    start_stage(text, dialect, EW_PASS_SURFACES, key);
+    add_sources(text, key, false);
+    add_irradiance(text, key);
+    add_depth(text, key);
+    add_file(text, ew_glsl_ray_glsl);
+    add_file(text, ew_glsl_composite_glsl);
+    add_file(text, ew_glsl_normal_glsl);
+    if (key & EW_PERMUTATION_SHADOWS) {
+        add_file(text, ew_glsl_noise_glsl);
+        add_file(text, ew_glsl_shadow_glsl);
+    }
+    add_file(text, ew_glsl_surface_frag);
+}
+
 void ew_write_fragment_shader(ew_shader_text *text, const ew_dialect *dialect, ew_pass pass, unsigned key)
 {
+    if (pass == EW_PASS_SURFACES) {
+        write_surface_shader(text, dialect, key);
+        return;
+    }
     if (integrates(pass)) {
         static const ew_integrator_text field = {nothing_before, ew_glsl_field_glsl, true};
         write_integrating_shader(text, dialect, pass, key, pass == EW_PASS_FIELD ? &field : integrator_of(key));
@@ -351,5 +407,9 @@ void ew_write_include(ew_shader_text *text, const ew_dialect *dialect, unsigned 
     add(text, "#ifdef GL_ES\nprecision highp float;\nprecision highp int;\n#endif\n");
     add_defines(text, dialect, key);
     add_light(text, key, integrator_of(key), false);
+    if (key & EW_PERMUTATION_IRRADIANCE) {
+        add_irradiance(text, key);
+        add_gloss(text, key);
+    }
     add_file(text, ew_glsl_include_glsl);
 }

@@ -37,6 +37,7 @@ typedef struct ew_shader_text {
 /* What a program draws: see glsl/pass/. */
 typedef enum ew_pass {
     EW_PASS_WAVE,          /* every pixel of the viewport */
+    EW_PASS_SURFACES,      /* the light on the opaque scene, at every pixel */
     EW_PASS_NODES,         /* the light of the grid's nodes */
     EW_PASS_FIELD,         /* the field where the nodes' rays end */
     EW_PASS_PEAK,          /* the largest light of blocks of nodes */
@@ -45,6 +46,12 @@ typedef enum ew_pass {
     EW_PASS_INTERPOLATION, /* those of the other cells */
     EW_PASS_COUNT,
 } ew_pass;
+
+/* Whether a pass is one of adaptive resolution. */
+static inline bool ew_pass_is_of_grid(ew_pass pass)
+{
+    return pass != EW_PASS_WAVE && pass != EW_PASS_SURFACES;
+}
 
 /* The part of a key that a pass depends on. */
 unsigned ew_permutation_of_pass(ew_pass pass, unsigned key);

@@ -103,7 +103,7 @@ typedef struct search {
     ew_ray_field rays;
     const ew_view *view;
     const ew_interval *depths;
-    const ew_lit_source *source;
+    ew_lit_source source;
     uint32_t number; /* of the source, from 1 on */
     int kind;
     tile_box lit; /* by all sources */
@@ -131,7 +131,7 @@ static void add(search *s, const int tile[2])
     s->is_full = row_count(lists) + 1 + lists->pair_count >= lists->room.most;
     s->lacks_memory = s->lacks_memory || !reserve_pairs(lists, lists->pair_count + 1, s->allocator);
     if (is_done(s)) return;
-    lists->pairs[lists->pair_count++] = (struct ew_tile_pair){row, (uint32_t)s->source->index};
+    lists->pairs[lists->pair_count++] = (struct ew_tile_pair){row, (uint32_t)s->source.index};
     for (int axis = 0; axis < 2; ++axis) {
         s->lit.first[axis] = tile[axis] < s->lit.first[axis] ? tile[axis] : s->lit.first[axis];
         s->lit.end[axis] = tile[axis] >= s->lit.end[axis] ? tile[axis] + 1 : s->lit.end[axis];
@@ -160,9 +160,9 @@ static void add_all(search *s, const tile_box *box)
 static void add_box(search *s, const ew_hull *seen, const tile_box *box)
 {
     const ew_cone cone = cone_of(s, box);
-    if (is_done(s) || !ew_cone_meets(&cone, seen, s->source->reach)) return;
+    if (is_done(s) || !ew_cone_meets(&cone, seen, s->source.reach)) return;
     const int width = box->end[0] - box->first[0], height = box->end[1] - box->first[1], axis = height > width;
-    if (width * height == 1 || ew_cone_is_covered(&cone, seen, s->source->reach)) {
+    if (width * height == 1 || ew_cone_is_covered(&cone, seen, s->source.reach)) {
         add_all(s, box);
         return;
     }
@@ -186,7 +186,7 @@ static void add_hull(search *s, const ew_hull *hull)
     const ew_hull seen = ew_see_hull(hull, s->view);
     ew_silhouette silhouette;
     tile_box box;
-    if (!ew_find_silhouette(&seen, s->source->reach, s->view, s->depths, &silhouette)) return;
+    if (!ew_find_silhouette(&seen, s->source.reach, s->view, s->depths, &silhouette)) return;
     find_tiles(silhouette.low[0], silhouette.high[0], s->lists->columns, &box.first[0], &box.end[0]);
     find_tiles(silhouette.low[1], silhouette.high[1], s->lists->rows, &box.first[1], &box.end[1]);
     if (box.first[0] < box.end[0] && box.first[1] < box.end[1]) add_box(s, &seen, &box);
@@ -194,16 +194,16 @@ static void add_hull(search *s, const ew_hull *hull)
 
 static void add_source(search *s)
 {
-    const size_t hulls = s->source->reach > 0 ? ew_count_hulls(s->source) : 0;
+    const size_t hulls = s->source.reach > 0 ? ew_count_hulls(&s->source) : 0;
     for (size_t i = 0; i < hulls && !is_done(s); ++i) {
-        const ew_hull hull = ew_hull_of_source(s->source, i);
+        const ew_hull hull = ew_hull_of_source(&s->source, i);
         add_hull(s, &hull);
     }
-    if (s->source->reach == 0) add_all(s, &(tile_box){{0, 0}, {s->lists->columns, s->lists->rows}});
+    if (s->source.reach == 0) add_all(s, &(tile_box){{0, 0}, {s->lists->columns, s->lists->rows}});
 }
 
 /* Finds all pairs, unless the search is done before. */
-static void find_pairs(search *s, const ew_sources *sources)
+static void find_pairs(search *s, const ew_sources *sources, double light_reach)
 {
     ew_tile_lists *lists = s->lists;
     lists->pair_count = 0;
@@ -213,7 +213,7 @@ static void find_pairs(search *s, const ew_sources *sources)
     s->lit = (tile_box){{lists->columns, lists->rows}, {0, 0}};
     for (s->kind = 0; s->kind < EW_KIND_COUNT; ++s->kind)
         for (size_t i = 0; i < sources->counts[s->kind] && !is_done(s); ++i) {
-            s->source = &sources->lit[s->number++];
+            s->source = ew_lit_source_at(sources, s->number++, light_reach);
             add_source(s);
         }
 }
@@ -297,8 +297,9 @@ static void see_tiles(const ew_view *view, const ew_viewport *viewport, const ew
     }
 }
 
-static bool has_reach(const ew_sources *sources)
+static bool has_reach(const ew_sources *sources, double light_reach)
 {
+    if (light_reach > 0) return true;
     for (size_t i = 0; i < sources->lit_count; ++i)
         if (sources->lit[i].reach > 0) return true;
     return false;
@@ -312,10 +313,11 @@ static int first_size(const ew_tile_lists *lists)
     return last > EW_TILE_SIZE_LOG2 ? last : EW_TILE_SIZE_LOG2;
 }
 
-ew_result ew_make_tile_lists(ew_tile_lists *lists, const ew_sources *sources, const ew_view *view, const ew_interval *depths,
-                             const ew_viewport *viewport, ew_list_room room, const ew_allocator *allocator, ew_error *error)
+ew_result ew_make_tile_lists(ew_tile_lists *lists, const ew_sources *sources, double light_reach, const ew_view *view,
+                             const ew_interval *depths, const ew_viewport *viewport, ew_list_room room,
+                             const ew_allocator *allocator, ew_error *error)
 {
-    int first_size_log2 = has_reach(sources) ? first_size(lists) : ONE_TILE_LOG2;
+    int first_size_log2 = has_reach(sources, light_reach) ? first_size(lists) : ONE_TILE_LOG2;
     lists->entry_count = 0;
     lists->room = room;
     if (!is_countable(viewport)) return EW_OK;
@@ -329,7 +331,7 @@ ew_result ew_make_tile_lists(ew_tile_lists *lists, const ew_sources *sources, co
         const ew_view wide = {view->view, projection, view->clip_depth};
         search s = {
             .lists = lists, .allocator = allocator, .rays = ew_make_ray_field(&wide, depths), .view = &wide, .depths = depths};
-        find_pairs(&s, sources);
+        find_pairs(&s, sources, light_reach);
         if (!is_done(&s)) s.lacks_memory = !fill_entries(lists, allocator);
         if (s.lacks_memory)
             return ew_fail(error, EW_ERROR_OUT_OF_MEMORY, "no memory for the lists of %zu sources", sources->lit_count);

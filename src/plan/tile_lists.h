@@ -49,9 +49,11 @@ typedef struct ew_tile_lists {
 } ew_tile_lists;
 
 /* Makes the lists for the sources as they are seen between two depths. Tiles are made wider until there are at most `most`
- * entries. On failure nothing may be drawn with the lists. Where even a tile for all takes more, entry_count is 0. */
-ew_result ew_make_tile_lists(ew_tile_lists *lists, const ew_sources *sources, const ew_view *view, const ew_interval *depths,
-                             const ew_viewport *viewport, ew_list_room room, const ew_allocator *allocator, ew_error *error);
+ * entries. On failure nothing may be drawn with the lists. Where even a tile for all takes more, entry_count is 0.
+ * `light_reach`: see ew_lit_source_at. */
+ew_result ew_make_tile_lists(ew_tile_lists *lists, const ew_sources *sources, double light_reach, const ew_view *view,
+                             const ew_interval *depths, const ew_viewport *viewport, ew_list_room room,
+                             const ew_allocator *allocator, ew_error *error);
 
 void ew_destroy_tile_lists(ew_tile_lists *lists, const ew_allocator *allocator);
 

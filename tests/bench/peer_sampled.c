@@ -123,7 +123,7 @@ bool peer_sampled_draw(peer_sampled *peer, integrator_family family, int samples
     gl->Viewport(frame->viewport_x, frame->viewport_y, frame->viewport_width, frame->viewport_height);
     gl->ActiveTexture(GL_TEXTURE0 + EW_GL_DEPTH_TEXTURE_UNIT);
     gl->BindTexture(GL_TEXTURE_2D, frame->depth_texture);
-    peer->plan.uniforms.frame.simpson.x = samples;
+    peer->plan.uniforms.frame.choices.x = samples;
     ew_error error;
     if (ew_upload(&peer->device, &peer->plan, &error) != EW_OK) {
         message_write(message, size, "%s", error.text);

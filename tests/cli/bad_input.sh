@@ -140,6 +140,11 @@ point='"position": [0, 0, 0]'
 refuses_world 'decay' '"decay": { "alpha": 1 }'
 refuses_world 'core_pixels' '"core_pixels": 65'
 refuses_world 'exposure' '"exposure": -1'
+refuses_world 'light\.reach' '"light": { "gain": 1 }'
+refuses_world 'light\.reach' '"light": { "reach": 0 }'
+refuses_world 'light\.gain' '"light": { "gain": -1, "reach": 1 }'
+refuses_world 'light\.shadow_thickness' '"light": { "reach": 1, "shadow_thickness": -1 }'
+refuses_world 'light\.shadows' '"light": { "reach": 1, "shadows": true }'
 refuses_world 'points\[0\]\.reach' "\"points\": [{ $point }]"
 refuses_world 'points\[1\]\.reach' "\"points\": [{ $point, \"reach\": 1 }, { $point, \"brightness\": 1 }]"
 refuses_world 'points\[0\]\.reach' "\"points\": [{ $point, \"core\": 2, \"reach\": 2 }]"

@@ -127,6 +127,16 @@ static void random_projection(random_place *at, ew_frame_desc *frame, double asp
     at->size[1] = parallel ? half : 0;
 }
 
+/* How far the light on surfaces reaches, and what it is multiplied by. */
+static void random_surface_light(const random_place *at, bool has_shadows, ew_frame_desc *frame)
+{
+    uint64_t *random = at->random;
+    double length = at->end - at->start;
+    frame->light_gain = at->extreme ? random_power_of_ten(random, -6, 6) : random_power_of_ten(random, 0, 2);
+    frame->light_reach = length * (at->extreme ? random_power_of_ten(random, -9, 9) : random_power_of_ten(random, -2, 0));
+    if (has_shadows) frame->shadow_thickness = frame->light_reach * random_power_of_ten(random, -2, 0);
+}
+
 bool random_desc_make(random_desc *desc, const shader_mix *mix, bool extreme, int width, int height, uint64_t *random)
 {
     random_place at = {.random = random, .extreme = extreme};
@@ -144,6 +154,7 @@ bool random_desc_make(random_desc *desc, const shader_mix *mix, bool extreme, in
     if (mix->field == FIELD_WORLD) frame->interval_start = frame->interval_end = 0, frame->decay_alpha = frame->decay_beta = 1;
     frame->core_pixels = !mix->has_core_pixels ? 0 : extreme ? random_between(random, 1e-3, 64) : 1.5;
     frame->exposure = extreme ? random_power_of_ten(random, -6, 6) : 1;
+    if (mix->lights_surfaces) random_surface_light(&at, mix->has_shadows, frame);
     frame->integrator = mix->integrator;
     frame->quality = (ew_quality)random_index(random, 3);
     frame->simpson_divisions = 2 * (int)random_power_of_ten(random, 0, 2);

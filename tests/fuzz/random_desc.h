@@ -23,6 +23,8 @@ typedef struct shader_mix {
     source_field field;
     bool sharp; /* with a reach */
     bool has_core_pixels;
+    bool lights_surfaces;
+    bool has_shadows;
     ew_integrator integrator;
     ew_output output;
     target_depth depth;

@@ -55,7 +55,10 @@ static size_t frame_runs(random_desc *desc, number_run runs[MAX_RUNS])
     runs[5] = (number_run){&frame->decay_beta, 1};
     runs[6] = (number_run){&frame->core_pixels, 1};
     runs[7] = (number_run){&frame->exposure, 1};
-    return 8;
+    runs[8] = (number_run){&frame->light_gain, 1};
+    runs[9] = (number_run){&frame->light_reach, 1};
+    runs[10] = (number_run){&frame->shadow_thickness, 1};
+    return 11;
 }
 
 static void spoil_one(const number_run *runs, size_t count, uint64_t *random)

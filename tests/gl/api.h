@@ -41,7 +41,6 @@
     X(PFNGLDEPTHRANGEFPROC, DepthRangef, 0, "")                                                                                \
     X(PFNGLDISABLEVERTEXATTRIBARRAYPROC, DisableVertexAttribArray, 0, "")                                                      \
     X(PFNGLDISABLEIPROC, Disablei, 32, "OES")                                                                                  \
-    X(PFNGLDRAWBUFFERSPROC, DrawBuffers, 0, "")                                                                                \
     X(PFNGLENABLEIPROC, Enablei, 32, "OES")                                                                                    \
     X(PFNGLENDTRANSFORMFEEDBACKPROC, EndTransformFeedback, 0, "")                                                              \
     X(PFNGLFRAMEBUFFERRENDERBUFFERPROC, FramebufferRenderbuffer, 0, "")                                                        \

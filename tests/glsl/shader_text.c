@@ -81,13 +81,10 @@ static unsigned with_kinds(unsigned key, unsigned kinds, size_t first)
 
 /* ---- Shaders of the library ---- */
 
-static const char *const pass_names[EW_PASS_COUNT] = {[EW_PASS_WAVE] = "",
-                                                      [EW_PASS_NODES] = "nodes-",
-                                                      [EW_PASS_FIELD] = "field-",
-                                                      [EW_PASS_PEAK] = "peak-",
-                                                      [EW_PASS_CLASSES] = "classes-",
-                                                      [EW_PASS_CELLS] = "cells-",
-                                                      [EW_PASS_INTERPOLATION] = "interpolation-"};
+static const char *const pass_names[EW_PASS_COUNT] = {[EW_PASS_WAVE] = "",        [EW_PASS_SURFACES] = "surfaces-",
+                                                      [EW_PASS_NODES] = "nodes-", [EW_PASS_FIELD] = "field-",
+                                                      [EW_PASS_PEAK] = "peak-",   [EW_PASS_CLASSES] = "classes-",
+                                                      [EW_PASS_CELLS] = "cells-", [EW_PASS_INTERPOLATION] = "interpolation-"};
 
 static void write_pass(const shader_profile *profile, ew_pass pass, unsigned key)
 {
@@ -153,8 +150,35 @@ static void write_all_integrals(const shader_profile *profile)
 static void write_grid_passes(const shader_profile *profile, unsigned key)
 {
     if (key & EW_PERMUTATION_EVALUATIONS) return;
-    for (int pass = EW_PASS_WAVE + 1; pass < EW_PASS_COUNT; ++pass)
-        write_pass(profile, (ew_pass)pass, key);
+    for (int pass = 0; pass < EW_PASS_COUNT; ++pass)
+        if (ew_pass_is_of_grid((ew_pass)pass)) write_pass(profile, (ew_pass)pass, key);
+}
+
+/* What the light on surfaces may know of its sources beside their kinds. */
+static const unsigned emitters[] = {
+    EW_PERMUTATION_IRRADIANCE | EW_PERMUTATION_WORLD,
+    EW_PERMUTATION_IRRADIANCE | EW_PERMUTATION_WORLD | EW_PERMUTATION_REACH,
+    EW_PERMUTATION_IRRADIANCE | EW_PERMUTATION_WORLD | EW_PERMUTATION_REACH | EW_PERMUTATION_WEIGHTS,
+    EW_PERMUTATION_IRRADIANCE | EW_PERMUTATION_WORLD | EW_PERMUTATION_REACH | EW_PERMUTATION_JOINTS,
+    EW_PERMUTATION_IRRADIANCE | EW_PERMUTATION_WORLD | EW_PERMUTATION_REACH | EW_PERMUTATION_JOINTS | EW_PERMUTATION_BENDS |
+        EW_PERMUTATION_WEIGHTS,
+};
+
+/* The light on surfaces: of the kinds one by one, and of all at once. */
+static void write_surfaces(const shader_profile *profile)
+{
+    static const unsigned depths[] = {EW_PERMUTATION_DEPTH, EW_PERMUTATION_DEPTH | EW_PERMUTATION_DEPTH_MULTISAMPLE};
+    for (size_t depth = 0; depth < sizeof depths / sizeof depths[0]; ++depth)
+        for (size_t i = 0; i < sizeof emitters / sizeof emitters[0]; ++i) {
+            unsigned key = depths[depth] | emitters[i], many = ew_permutation_with_lists(key);
+            const unsigned shaded = EW_PERMUTATION_SHADOWS | EW_PERMUTATION_NORMALS;
+            for (int kind = 0; kind < EW_KIND_COUNT; ++kind)
+                write_pass(profile, EW_PASS_SURFACES, ew_permutation_with_count(key | (kind % 2 ? shaded : 0), kind, 1));
+            write_pass(profile, EW_PASS_SURFACES, with_kinds(many | shaded, all_kinds, EW_ANY_COUNT));
+            write_pass(profile, EW_PASS_SURFACES, with_kinds(many | EW_PERMUTATION_SHADOWS, all_kinds, EW_ANY_COUNT));
+            write_pass(profile, EW_PASS_SURFACES, with_kinds(many, all_kinds, EW_ANY_COUNT));
+            write_pass(profile, EW_PASS_SURFACES, with_kinds(many | EW_PERMUTATION_SOURCE_TEXTURE, all_kinds, EW_ANY_COUNT));
+        }
 }
 
 /* All that main() can do, with each field: without sources, and with all kinds. */
@@ -195,13 +219,18 @@ static void write_include(const shader_profile *profile, unsigned key)
     char *joined = malloc(ew_join_shader_text(&text, NULL) + 1);
     if (!joined) exit(EXIT_FAILURE);
     ew_join_shader_text(&text, joined);
-    const char *const strings[] = {profile->include_version,
-                                   joined,
-                                   "out vec4 color;\nvoid main()\n{\ncolor = ew_light(vec3(0.0), vec3(1.0), ",
-                                   interval,
-                                   "1.0);\ncolor.a = ew_luminance(vec3(0.0), vec3(1.0), ",
-                                   interval,
-                                   "1.0);\n}\n"};
+    const char *const strings[] = {
+        profile->include_version,
+        joined,
+        "out vec4 color;\nvoid main()\n{\ncolor = ew_light(vec3(0.0), vec3(1.0), ",
+        interval,
+        "1.0);\ncolor.a = ew_luminance(vec3(0.0), vec3(1.0), ",
+        interval,
+        "1.0);\n",
+        key & EW_PERMUTATION_IRRADIANCE
+            ? "color.rgb += ew_irradiance(vec3(0.0), vec3(1.0)) + ew_specular(vec3(0.0), vec3(1.0), vec3(1.0), 0.5);\n"
+            : "",
+        "}\n"};
     write_strings(profile->name, "include-", key, "frag", strings, sizeof strings / sizeof strings[0]);
     free(joined);
 }
@@ -216,9 +245,11 @@ static void write_includes(const shader_profile *profile)
             write_include(profile, flags);
             for (int kind = 0; kind < EW_KIND_COUNT; ++kind) {
                 write_include(profile, ew_permutation_with_count(flags, kind, (size_t)kind % 2 + 1));
+                if (field == 3) write_include(profile, ew_permutation_with_count(flags | EW_PERMUTATION_IRRADIANCE, kind, 1));
                 if (!simpson) write_grid_passes(profile, ew_permutation_with_count(flags, kind, (size_t)kind % 2 + 1));
             }
-            write_include(profile, with_kinds(flags | extras, all_kinds, EW_ANY_COUNT));
+            for (unsigned lit = 0; lit <= EW_PERMUTATION_IRRADIANCE; lit += EW_PERMUTATION_IRRADIANCE)
+                write_include(profile, with_kinds(flags | extras | lit, all_kinds, EW_ANY_COUNT));
         }
 }
 
@@ -241,6 +272,7 @@ int main(int argc, char **argv)
     for (size_t i = 0; i < sizeof profiles / sizeof profiles[0]; ++i) {
         write_all_integrals(&profiles[i]);
         write_passes(&profiles[i]);
+        write_surfaces(&profiles[i]);
         if (profiles[i].include_version) write_includes(&profiles[i]);
     }
     return EXIT_SUCCESS;

@@ -48,6 +48,7 @@ static void the_defaults_are_those_of_their_members(void **state)
     assert_true(frame.interval_start == 0 && frame.interval_end == 0);
     assert_true(frame.decay_alpha == 1 && frame.decay_beta == 1 && frame.exposure == 1);
     assert_true(frame.core_pixels == EW_CORE_PIXELS_DEFAULT);
+    assert_true(frame.light_gain == 1 && frame.light_reach == 0 && frame.shadow_thickness == 0);
     assert_int_equal(frame.integrator, EW_INTEGRATOR_ADAPTIVE);
     assert_int_equal(frame.quality, EW_QUALITY_ERROR_1E_3);
     assert_int_equal(frame.simpson_divisions, 200);
@@ -57,7 +58,8 @@ static void the_defaults_are_those_of_their_members(void **state)
     assert_true(frame.viewport_width == 0 && frame.viewport_height == 0);
     assert_int_equal(frame.encoding, EW_ENCODING_LINEAR_8BIT);
     assert_int_equal(frame.depth_source, EW_DEPTH_TEXTURE);
-    assert_true(frame.dither == 1 && frame.depth_texture == 0);
+    assert_true(frame.dither == 1 && frame.depth_texture == 0 && frame.normal_texture == 0);
+    assert_int_equal(frame.normal_encoding, EW_NORMAL_WORLD);
     assert_true(frame.keep_stencil_test == 0 && frame.skip_restore == 0);
 }
 
@@ -102,6 +104,9 @@ static void every_number_that_is_not_finite_is_refused_by_name(void **state)
         {&frame.decay_beta, "decay_beta"},
         {&frame.core_pixels, "core_pixels"},
         {&frame.exposure, "exposure"},
+        {&frame.light_gain, "light_gain"},
+        {&frame.light_reach, "light_reach"},
+        {&frame.shadow_thickness, "shadow_thickness"},
     };
     const double bad[] = {(double)NAN, (double)INFINITY, -(double)INFINITY};
     for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; ++i) {
@@ -377,6 +382,40 @@ static void exposure_out_of_range_is_refused(void **state)
     }
 }
 
+static void light_on_surfaces_out_of_range_is_refused(void **state)
+{
+    (void)state;
+    ew_frame_desc frame = good_frame();
+    frame.light_gain = -1;
+    expect_refused(&frame, "light_gain");
+    frame.light_gain = 1.1e6;
+    expect_refused(&frame, "light_gain");
+    frame.light_gain = 0;
+    frame.light_reach = -1e-3;
+    expect_refused(&frame, "light_reach");
+    frame.light_reach = 1e30;
+    frame.shadow_thickness = -1e-3;
+    expect_refused(&frame, "shadow_thickness");
+    frame.shadow_thickness = 1e30;
+    expect_taken(&frame);
+}
+
+/* Light on surfaces is found from their depth, and ends somewhere. */
+static void surfaces_without_depth_or_reach_are_refused(void **state)
+{
+    (void)state;
+    ew_frame_desc frame = good_frame();
+    frame.output = EW_OUTPUT_SURFACES;
+    frame.depth_texture = 1;
+    expect_refused(&frame, "light_reach");
+    frame.light_reach = 1;
+    expect_taken(&frame);
+    frame.depth_texture = 0;
+    expect_refused(&frame, "depth_texture");
+    frame.depth_source = EW_DEPTH_FRAMEBUFFER;
+    expect_taken(&frame);
+}
+
 static void numbers_of_divisions_that_simpson_cannot_take_are_refused(void **state)
 {
     (void)state;
@@ -400,7 +439,7 @@ static void numbers_of_divisions_that_simpson_cannot_take_are_refused(void **sta
 static void values_outside_an_enumeration_are_refused(void **state)
 {
     (void)state;
-    const int bad[] = {-1, 5, 1000};
+    const int bad[] = {-1, 6, 1000};
     for (size_t i = 0; i < sizeof bad / sizeof bad[0]; ++i) {
         ew_frame_desc frame = good_frame();
         frame.clip_depth = (ew_clip_depth)bad[i];
@@ -420,6 +459,9 @@ static void values_outside_an_enumeration_are_refused(void **state)
         frame = good_frame();
         frame.depth_source = (ew_depth_source)bad[i];
         expect_refused(&frame, "depth_source");
+        frame = good_frame();
+        frame.normal_encoding = (ew_normal_encoding)bad[i];
+        expect_refused(&frame, "normal_encoding");
         frame = good_frame();
         frame.dither = bad[i];
         expect_refused(&frame, "dither");
@@ -464,6 +506,8 @@ int main(void)
         cmocka_unit_test(decay_without_an_interval_is_refused),
         cmocka_unit_test(core_pixels_out_of_range_are_refused),
         cmocka_unit_test(exposure_out_of_range_is_refused),
+        cmocka_unit_test(light_on_surfaces_out_of_range_is_refused),
+        cmocka_unit_test(surfaces_without_depth_or_reach_are_refused),
         cmocka_unit_test(numbers_of_divisions_that_simpson_cannot_take_are_refused),
         cmocka_unit_test(values_outside_an_enumeration_are_refused),
         cmocka_unit_test(a_viewport_without_pixels_is_refused),

@@ -191,7 +191,7 @@ static void the_frame_block_counts_and_scales(void **state)
     const struct ew_frame_block block = plan.uniforms.frame;
     const int counts[EW_KIND_COUNT] = {2, 0, 0, 3};
     assert_memory_equal(plan.uniforms.source_counts, counts, sizeof counts);
-    assert_int_equal(block.simpson.x, 128);
+    assert_int_equal(block.choices.x, 128);
     check_close((double)block.decay.x, 0.7, float_error);
     check_close((double)block.decay.y, 0.01 / (frame.interval_end - frame.interval_start), 1e-9);
     ew_sources_destroy(&sources, &ew_default_allocator);
@@ -403,7 +403,7 @@ static void a_world_far_from_its_origin_is_packed_as_if_it_were_near(void **stat
         ew_sources far_sources = pack(&far_desc, &far_frame, &far_plan);
         assert_int_equal(near_sources.data_size, far_sources.data_size);
         check_floats(far_sources.data, near_sources.data, near_sources.data_size);
-        check_floats(&far_plan.uniforms.frame, &near_plan.uniforms.frame, offsetof(struct ew_frame_block, simpson));
+        check_floats(&far_plan.uniforms.frame, &near_plan.uniforms.frame, offsetof(struct ew_frame_block, choices));
         ew_sources_destroy(&near_sources, &ew_default_allocator);
         ew_sources_destroy(&far_sources, &ew_default_allocator);
     }

@@ -22,6 +22,9 @@ int main(int argc, char **argv)
     scene.sources = scene_sources;
     scene.composite = frame.output;
     scene.exposure = frame.exposure;
+    scene.light_gain = frame.light_gain;
+    scene.light_reach = frame.light_reach;
+    scene.shadow_thickness = frame.shadow_thickness;
     scene.core_pixels = frame.core_pixels;
     int width = atoi(argv[3]), height = atoi(argv[4]);
     const render_settings settings = {width, height, EW_INTEGRATOR_ADAPTIVE, EW_QUALITY_ERROR_1E_3, 200, EW_RESOLUTION_FULL};

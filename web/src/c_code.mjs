@@ -61,6 +61,9 @@ export function cCode(scene) {
         'static inline void scene_set_frame(ew_frame_desc *frame)', '{',
         `    frame->output = ${outputs[scene.composite ?? 'lerp']};`, `    frame->exposure = ${number(scene.exposure ?? 1)};`);
     if (scene.core_pixels !== undefined) text.push(`    frame->core_pixels = ${number(scene.core_pixels)};`);
+    if (scene.light)
+        text.push(`    frame->light_gain = ${number(scene.light.gain ?? 1)};`, `    frame->light_reach = ${number(scene.light.reach)};`,
+            `    frame->shadow_thickness = ${number(scene.light.shadow_thickness ?? 0)};`);
     if (scene.interval) {
         const near = scene.camera.near ?? 0.1, far = scene.camera.far ?? 100;
         text.push(`    frame->interval_start = ${number(scene.interval.start ?? near)};`, `    frame->interval_end = ${number(scene.interval.end ?? far)};`,

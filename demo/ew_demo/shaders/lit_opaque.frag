@@ -1,32 +1,24 @@
 #version 330 core
 
-// The court's stone: moonlight with shadows, skylight with ambient occlusion, and the light of the energy. Every shape is a box
-// with a rounding radius, and a sphere is a box of no extent. With these, shadow and occlusion need no maps.
-
-// Of the stone's tone mapping. The energy is drawn over it as the library gives it.
-const float EXPOSURE = 1.6;
+// The layers of the court's stone, which compose.frag puts together once the energy has lit them: moonlight with shadows, and
+// skylight with ambient occlusion. Every shape is a box with a rounding radius, and a sphere is a box of no extent. With these,
+// shadow and occlusion need no maps.
 
 const int MAX_SHAPES = 64;
-const int MAX_LIGHTS = 64;
 
 uniform int shape_count;
 uniform vec4 shape_center[MAX_SHAPES]; // w: the rounding radius
 uniform vec4 shape_extent[MAX_SHAPES];
-uniform int light_count;
-uniform vec4 light_position[MAX_LIGHTS]; // w: the radius within which it grows no brighter
-uniform vec4 light_color[MAX_LIGHTS];
 uniform vec3 eye;
-uniform vec3 background;
 uniform vec3 to_moon;
 uniform bool is_mirrored;
-uniform bool reflects;
-uniform sampler2D reflection;
-uniform vec2 pixel; // reciprocal of the picture's size
 
 in vec3 surface_position;
 in vec3 surface_normal;
 in vec3 surface_color;
-out vec4 result;
+layout(location = 0) out vec4 albedo_layer; // a: how far the court has faded into the dark
+layout(location = 1) out vec4 own_layer;    // rgb: the light of moon and sky that it throws back, less the albedo; a: what it mirrors
+layout(location = 2) out vec4 normal_layer;
 
 float distance_to_shapes(vec3 place)
 {
@@ -91,16 +83,6 @@ float joints(vec3 place, vec3 normal)
     return 1.0 - 0.55 * max(joint.x, joint.y) * step(0.9999, normal.y);
 }
 
-// What the floor reflects, smeared upwards because polished stone is not perfectly flat.
-vec3 mirrored()
-{
-    vec2 at = gl_FragCoord.xy * pixel;
-    vec3 sum = vec3(0.0);
-    for (int i = -2; i <= 2; ++i)
-        sum += texture(reflection, at + vec2(0.0, 0.004 * float(i))).rgb;
-    return sum / 5.0;
-}
-
 void main()
 {
     if (is_mirrored && surface_position.y < 0.001) discard;
@@ -110,24 +92,13 @@ void main()
     float open = openness(surface_position, normal);
     vec3 sky = mix(vec3(0.004, 0.005, 0.007), vec3(0.010, 0.015, 0.026), 0.5 + 0.5 * normal.y) * open;
     vec3 moon = vec3(0.055, 0.072, 0.11) * max(0.0, dot(normal, to_moon)) * moonlight(above);
-    vec3 diffuse = sky + moon;
-    vec3 gloss = vec3(0.0);
-    for (int i = 0; i < light_count; ++i) {
-        vec3 to_light = light_position[i].xyz - surface_position;
-        float distance2 = dot(to_light, to_light) + light_position[i].w * light_position[i].w;
-        vec3 direction = to_light * inversesqrt(distance2);
-        vec3 light = light_color[i].rgb / distance2;
-        float facing = max(0.0, dot(normal, direction));
-        diffuse += light * facing * mix(0.35, 1.0, open);
-        gloss += light * min(10.0 * facing, 1.0) * pow(max(0.0, dot(normal, normalize(direction + to_eye))), 40.0);
-    }
+    float slab = joints(surface_position, normal);
+    vec3 albedo = surface_color * slab;
     float fresnel = 0.04 + 0.5 * pow(1.0 - max(0.0, dot(normal, to_eye)), 4.0);
-    vec3 color = surface_color * joints(surface_position, normal) * diffuse + fresnel * open * gloss;
-    vec3 shown = 1.0 - exp(-EXPOSURE * color);
-    // The reflection is as it is shown, light included.
-    if (reflects && surface_position.y < 0.001 && normal.y > 0.9)
-        shown += (1.0 - shown) * (0.3 + 0.7 * fresnel) * joints(surface_position, normal) * mirrored();
+    bool is_floor = surface_position.y < 0.001 && normal.y > 0.9;
     // The court ends in darkness, wherever the eye is.
     float dusk = 1.0 - exp(-pow(length(surface_position.xz) / 30.0, 3.0));
-    result = vec4(mix(shown, background, dusk), 1.0);
+    albedo_layer = vec4(albedo, dusk);
+    own_layer = vec4(albedo * (sky + moon) - albedo, is_floor ? (0.3 + 0.7 * fresnel) * slab : 0.0);
+    normal_layer = vec4(normal, 0.0);
 }

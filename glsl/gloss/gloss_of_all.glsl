@@ -1,0 +1,12 @@
+// What is mirrored of all sources.
+
+#undef EW_SHINE
+#define EW_SHINE(block, read) block source = read(EW_PLACE(i)); sum += ew_shine(source.color, ew_gloss_of(surface, gloss, source)); ++i;
+
+// G of gloss.glsl, as a colour.
+vec3 ew_gloss_of_all(ew_surface surface, ew_gloss gloss)
+{
+    vec3 sum = vec3(0.0);
+    EW_ADD_KINDS
+    return min(ew_light_gain() * sum, vec3(EW_MAX_IRRADIANCE));
+}

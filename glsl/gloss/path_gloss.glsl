@@ -1,0 +1,37 @@
+// What is mirrored of a path: of its pieces.
+float ew_gloss_of_straight_piece(ew_surface surface, ew_gloss gloss, ew_path_block path, vec4 start, vec4 end)
+{
+    vec4 weights = vec4(start.w, end.w, path.weights.xy);
+    return ew_gloss_of_segment(surface, gloss, start.xyz - surface.position, end.xyz - surface.position, ew_light_core(path.glow),
+                               weights);
+}
+
+#ifdef EW_JOINTS
+float ew_gloss_of_piece(ew_surface surface, ew_gloss gloss, ew_path_block path, int i)
+{
+#ifdef EW_BENDS
+    if (path.pieces.z != 0.0)
+        return ew_gloss_of_bend(surface, gloss, ew_bent_piece(path, i), ew_piece_unit(path, 5.0, i, 4).zw, path.weights.xy);
+#endif
+    return ew_gloss_of_straight_piece(surface, gloss, path, ew_piece_unit(path, 2.0, i, 0), ew_piece_unit(path, 2.0, i, 1));
+}
+#endif
+
+float ew_gloss_of(ew_surface surface, ew_gloss gloss, ew_path_block path)
+{
+    if (length(path.ball.xyz - surface.position) >= path.ball.w + ew_light_reach()) return 0.0;
+#ifdef EW_JOINTS
+    int count = int(path.pieces.y);
+    int i = 0;
+    float sum = 0.0;
+    if (count > 0) {
+        do {
+            sum += ew_gloss_of_piece(surface, gloss, path, i);
+        } while (++i < count && i < EW_MAX_PATH_PIECES);
+        return sum;
+    }
+#endif
+    vec4 start = vec4(path.ball.xyz - path.beam.xyz, 0.0);
+    vec4 end = vec4(path.ball.xyz + path.beam.xyz, 1.0);
+    return ew_gloss_of_straight_piece(surface, gloss, path, start, end);
+}

@@ -1,0 +1,190 @@
+// Emitters that are bent or have weights: six nodes of Gauss and Legendre in the angle under which the surface sees the emitter,
+// between the places where the integrand is not smooth. These are the surface's horizon, the vertex of the parabola, beyond
+// which another place is nearest, and the knots of the weights.
+
+// A quadratic emitter relative to the surface, C(tau) - P = (c2 tau + c1) tau + c0 with tau in domain; the weight at tau is the one
+// at place + tau slope of its list, of which `pieces` has the first piece and their number.
+struct ew_emitter {
+    vec3 c0;
+    vec3 c1;
+    vec3 c2;
+    vec2 domain;
+    vec2 weight_place;
+    vec2 pieces;
+    vec2 peaks; // the tau nearest to the surface before the vertex, and behind it
+    vec2 widths; // how far to either side of them the emitter is taken as straight, since the surface is in its core
+    float vertex;
+};
+
+vec3 ew_emitter_place(ew_emitter emitter, float tau)
+{
+    return (emitter.c2 * tau + emitter.c1) * tau + emitter.c0;
+}
+
+float ew_emitter_weight(ew_emitter emitter, float tau)
+{
+#ifdef EW_WEIGHTS
+    if (emitter.pieces.y > 0.0)
+        return ew_weight(emitter.weight_place.x + tau * emitter.weight_place.y, emitter.pieces.x, emitter.pieces.y);
+#endif
+    return 1.0;
+}
+
+// The next knot of the weights behind tau, or `last`. The place along the list grows with tau.
+float ew_emitter_knot(ew_emitter emitter, float tau, float last)
+{
+#ifdef EW_WEIGHTS
+    float per_tau = emitter.pieces.y * emitter.weight_place.y;
+    if (per_tau > 0.0) {
+        float knot = emitter.pieces.y * emitter.weight_place.x + tau * per_tau;
+        // Rounding may leave the last knot itself just ahead.
+        float next = (floor(knot + 1e-3) + 1.0 - knot) / per_tau + tau;
+        return next < last - 1e-3 / per_tau ? next : last;
+    }
+#endif
+    return last;
+}
+
+// The integral between two tau of one smooth part. tau = peak + width tan(theta) spreads the nodes evenly over the angle under
+// which a straight emitter would be seen.
+float ew_light_of_part(ew_surface surface, ew_emitter emitter, vec2 part, float core)
+{
+    const float nodes[6] = float[6](-0.9324695142, -0.6612093865, -0.2386191861, 0.2386191861, 0.6612093865, 0.9324695142);
+    const float gauss_weights[6] =
+        float[6](0.1713244924, 0.3607615730, 0.4679139346, 0.4679139346, 0.3607615730, 0.1713244924);
+    float middle = 0.5 * (part.x + part.y);
+    float peak = clamp(middle < emitter.vertex ? emitter.peaks.x : emitter.peaks.y, part.x, part.y);
+    vec3 nearest = ew_emitter_place(emitter, peak);
+    float speed = length(emitter.c1 + 2.0 * peak * emitter.c2);
+    float width = max(length(nearest) / max(speed, 1e-30), 1e-6 * (part.y - part.x));
+    vec2 angles = atan((part - peak) / width);
+    float half_angle = 0.5 * (angles.y - angles.x);
+    float mean_angle = 0.5 * (angles.x + angles.y);
+    float sum = 0.0;
+    for (int i = 0; i < 6; ++i) {
+        float tangent = tan(mean_angle + nodes[i] * half_angle);
+        float tau = peak + width * tangent;
+        float step = width * (1.0 + tangent * tangent) * length(emitter.c1 + 2.0 * tau * emitter.c2);
+        sum += gauss_weights[i] * step * ew_emitter_weight(emitter, tau) *
+               ew_light_at(surface, ew_emitter_place(emitter, tau), core);
+    }
+#ifdef EW_SHADOWS
+    vec4 shares = ew_shares_in_part(half_angle * sum);
+    for (int i = 0; i < EW_PICK_COUNT; ++i)
+        if (shares[i] >= 0.0 && shares[i] < 1.0)
+            ew_picked[i] = ew_emitter_place(emitter, peak + width * tan(mix(angles.x, angles.y, shares[i])));
+#endif
+    return half_angle * sum;
+}
+
+// The integral over a part in whose core the surface is, as two straight ones.
+float ew_light_of_near_part(ew_surface surface, ew_emitter emitter, vec2 part, float core)
+{
+    float sum = 0.0;
+    float quarter = 0.25 * (part.y - part.x);
+    for (int i = 0; i < 2; ++i) {
+        float middle = part.x + quarter * float(2 * i + 1);
+        vec3 start = ew_emitter_place(emitter, middle - quarter);
+        vec3 end = ew_emitter_place(emitter, middle + quarter);
+        float light = ew_emitter_weight(emitter, middle) *
+                      ew_light_of_nearly_straight(surface, start, ew_emitter_place(emitter, middle), end, core);
+        EW_PICK_BETWEEN(light, start, end);
+        sum += light;
+    }
+    return sum;
+}
+
+// How far from the peak the emitter leaves the core, if the surface is in it there; else 0. The way along it grows with its speed and, from
+// a sharp vertex, with its bend.
+float ew_straight_width(ew_emitter emitter, float peak, float core)
+{
+    bool is_near = ew_length_squared(ew_emitter_place(emitter, peak)) < core * core;
+    float speed = length(emitter.c1 + 2.0 * peak * emitter.c2);
+    return is_near ? 2.0 * core / max(speed + sqrt(speed * speed + 4.0 * core * length(emitter.c2)), 1e-30) : 0.0;
+}
+
+// The tau nearest to the surface before the vertex and behind it. With C2 perpendicular to C1, the derivative of the squared distance
+// is a cubic without a square term; its least root and its largest are minima.
+void ew_find_peaks(inout ew_emitter emitter, bool has_vertex, float core)
+{
+    float cubic = 2.0 * ew_length_squared(emitter.c2);
+    float quadratic = 3.0 * dot(emitter.c1, emitter.c2);
+    float linear = 2.0 * dot(emitter.c2, emitter.c0) + ew_length_squared(emitter.c1);
+    float constant = dot(emitter.c1, emitter.c0);
+    vec2 peaks = vec2(-constant / max(ew_length_squared(emitter.c1), 1e-30));
+    if (has_vertex) {
+        vec3 roots = ew_cubic_roots(0.0, linear / cubic, constant / cubic);
+        peaks = vec2(min(min(roots.x, min(roots.y, roots.z)), 0.0), max(max(roots.x, max(roots.y, roots.z)), 0.0));
+    }
+    // Where terms cancel, single precision leaves the roots too far off.
+    for (int i = 0; i < 3; ++i) {
+        vec2 slope = (3.0 * cubic * peaks + 2.0 * quadratic) * peaks + linear;
+        peaks -= (((cubic * peaks + quadratic) * peaks + linear) * peaks + constant) / max(slope, vec2(0.1 * abs(linear) + 1e-30));
+    }
+    emitter.vertex = has_vertex ? 0.0 : emitter.domain.x;
+    vec2 first = vec2(emitter.domain.x, max(emitter.vertex, emitter.domain.x));
+    vec2 last = vec2(has_vertex ? min(emitter.vertex, emitter.domain.y) : emitter.domain.y, emitter.domain.y);
+    emitter.peaks = clamp(peaks, min(first, last), last);
+    emitter.widths = vec2(ew_straight_width(emitter, emitter.peaks.x, core), ew_straight_width(emitter, emitter.peaks.y, core));
+}
+
+// Where the emitter passes through the surface's horizon: the roots of n . (C - P), or `none` twice.
+vec2 ew_find_horizon(ew_surface surface, ew_emitter emitter, float none)
+{
+    float a = dot(surface.normal, emitter.c2);
+    float b = dot(surface.normal, emitter.c1);
+    float c = dot(surface.normal, emitter.c0);
+    float discriminant = b * b - 4.0 * a * c;
+    if (discriminant <= 0.0) return vec2(none);
+    float q = -0.5 * (b + (b < 0.0 ? -sqrt(discriminant) : sqrt(discriminant)));
+    return vec2(a == 0.0 ? none : q / a, q == 0.0 ? none : c / q);
+}
+
+// The first of the places, from tau on, where the integrand is not smooth.
+float ew_next_break(ew_emitter emitter, vec2 horizon, float tau)
+{
+    float next = ew_emitter_knot(emitter, tau, emitter.domain.y);
+    vec4 near = vec4(emitter.peaks - emitter.widths, emitter.peaks + emitter.widths);
+    vec4 breaks = vec4(horizon, emitter.peaks);
+    bvec4 has_near = bvec4(emitter.widths.xyxy);
+    near = mix(vec4(next), near, bvec4(has_near.x && near.x > tau, has_near.y && near.y > tau, has_near.x && near.z > tau, has_near.y && near.w > tau));
+    breaks = mix(vec4(next), breaks, bvec4(horizon.x > tau, horizon.y > tau, has_near.x && breaks.z > tau, has_near.y && breaks.w > tau));
+    vec4 least = min(near, breaks);
+    next = min(next, min(min(least.x, least.y), min(least.z, least.w)));
+    return emitter.vertex > tau ? min(next, emitter.vertex) : next;
+}
+
+// How many parts an emitter has at the most: between its knots, its vertex, two roots of the horizon, what is next to its peaks, and its
+// ends.
+const int EW_MAX_EMITTER_PARTS = 1024 + 10;
+
+float ew_light_of_emitter(ew_surface surface, ew_emitter emitter, bool has_vertex, float core)
+{
+    ew_find_peaks(emitter, has_vertex, core);
+    float last = emitter.domain.y;
+    vec2 horizon = ew_find_horizon(surface, emitter, last);
+    float sum = 0.0;
+    float tau = emitter.domain.x;
+    int count = 0;
+    do {
+        float next = ew_next_break(emitter, horizon, tau);
+        float middle = 0.5 * (tau + next);
+        if (any(lessThan(abs(emitter.peaks - middle), emitter.widths)))
+            sum += ew_light_of_near_part(surface, emitter, vec2(tau, next), core);
+        else if (dot(surface.normal, ew_emitter_place(emitter, middle)) > 0.0)
+            sum += ew_light_of_part(surface, emitter, vec2(tau, next), core);
+        tau = next;
+    } while (tau < last && ++count < EW_MAX_EMITTER_PARTS);
+    return sum;
+}
+
+// The emitter that a curve's block is, or a bent piece of a path. `weight_places`: where its ends are in the list of
+// weights.
+float ew_light_of_bend(ew_surface surface, ew_curve_block block, vec2 weight_places, vec2 pieces)
+{
+    ew_polynomial_curve curve = ew_make_polynomial_curve(block);
+    float slope = weight_places.y - weight_places.x;
+    vec2 places = vec2(weight_places.x - curve.first * slope, slope);
+    ew_emitter emitter = ew_emitter(curve.c0 - surface.position, curve.c1, curve.c2, vec2(curve.first, curve.last), places, pieces, vec2(0.0), vec2(0.0), 0.0);
+    return ew_light_of_emitter(surface, emitter, curve.has_vertex, ew_light_core(block.glow));
+}

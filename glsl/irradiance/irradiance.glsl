@@ -1,0 +1,43 @@
+// The irradiance of all sources.
+
+// Irradiances are cut here, far above what any target shows, so that sums and products of them stay finite.
+const float EW_MAX_IRRADIANCE = 1e30;
+
+#ifdef EW_SHADOWS
+// Less light than this, of a source on a white surface, casts no shadow: it is less than the step of a target of 8 bits.
+const float EW_LEAST_SHADED = 2e-3;
+
+// Where between their ends this pixel picks from equal shares of the light.
+float ew_pick_offset = 0.5;
+
+// The share of the picked places from which light gets to the surface: see shadow.glsl.
+float ew_visible_share(ew_surface surface, float core);
+
+void ew_start_picking(float light)
+{
+    for (int i = 0; i < EW_PICK_COUNT; ++i)
+        ew_pick_sums[i] = light * (float(i) + ew_pick_offset) / float(EW_PICK_COUNT);
+    ew_pick_sum = 0.0;
+}
+#define EW_CAST(source) if (light * source.color.w * ew_light_gain() > EW_LEAST_SHADED) { ew_start_picking(light); ew_irradiance_of(surface, source); light *= ew_visible_share(surface, ew_light_core(source.glow)); ew_pick_sums = vec4(-1.0); }
+#else
+#define EW_CAST(source)
+#endif
+
+#define EW_SHINE(block, read) block source = read(EW_PLACE(i)); float light = ew_irradiance_of(surface, source); EW_CAST(source) sum += ew_shine(source.color, light); ++i;
+#undef EW_ADD_KIND
+#define EW_ADD_KIND(block, read, kind, count) EW_EACH(kind, count, if (i < end) { do { EW_SHINE(block, read) } while (i < end); })
+
+// `color` is a source's: its w is the coefficient.
+vec3 ew_shine(vec4 color, float irradiance)
+{
+    return clamp(color.w * irradiance, 0.0, EW_MAX_IRRADIANCE) * color.rgb;
+}
+
+// E(P) of emitter.glsl, as a colour. Error 1e-2 of the largest of the picture.
+vec3 ew_irradiance_of_all(ew_surface surface)
+{
+    vec3 sum = vec3(0.0);
+    EW_ADD_KINDS
+    return min(ew_light_gain() * sum, vec3(EW_MAX_IRRADIANCE));
+}

@@ -1,0 +1,131 @@
+// The light of a path: the sum of its pieces', since an emitter's ends add nothing of their own. Pieces that are small beside their
+// distance from the surface take two nodes of Gauss and Legendre, which then are off by less than a hundredth of the piece's light.
+// The others take what a single straight or bent emitter takes.
+
+float ew_light_of_straight_piece(ew_surface surface, ew_path_block path, vec4 start, vec4 end)
+{
+    vec3 from = start.xyz - surface.position;
+    vec3 to = end.xyz - surface.position;
+#ifdef EW_WEIGHTS
+    if (path.weights.y > 0.0) {
+        ew_emitter emitter =
+            ew_emitter(from, to - from, vec3(0.0), vec2(0.0, 1.0), vec2(start.w, end.w - start.w), path.weights.xy, vec2(0.0),
+                       vec2(0.0), 0.0);
+        return ew_light_of_emitter(surface, emitter, false, ew_light_core(path.glow));
+    }
+#endif
+    float light = ew_light_of_segment(surface, from, to, ew_light_core(path.glow));
+    EW_PICK_BETWEEN(light, from, to);
+    return light;
+}
+
+#ifdef EW_JOINTS
+// A piece relative to the surface: middle + u slope + u^2 bend, u from -1/2 to 1/2.
+struct ew_short_piece {
+    vec3 middle;
+    vec3 slope;
+    vec3 bend;
+    vec2 weight_places; // of its ends
+};
+
+ew_short_piece ew_make_short_piece(ew_surface surface, ew_path_block path, int i)
+{
+#ifdef EW_BENDS
+    if (path.pieces.z != 0.0) {
+        vec4 axis_x = ew_piece_unit(path, 5.0, i, 1);
+        vec4 axis_y = ew_piece_unit(path, 5.0, i, 2);
+        float bend = ew_piece_unit(path, 5.0, i, 3).w;
+        vec4 domain = ew_piece_unit(path, 5.0, i, 4);
+        float tau = 0.5 * (domain.x + domain.y);
+        vec3 origin = ew_piece_unit(path, 5.0, i, 0).xyz - surface.position;
+        return ew_short_piece(origin + tau * axis_x.w * axis_x.xyz + tau * (axis_y.w + tau * bend) * axis_y.xyz,
+                              axis_x.w * axis_x.xyz + (axis_y.w + 2.0 * tau * bend) * axis_y.xyz, bend * axis_y.xyz, domain.zw);
+    }
+#endif
+    vec4 start = ew_piece_unit(path, 2.0, i, 0);
+    vec4 end = ew_piece_unit(path, 2.0, i, 1);
+    return ew_short_piece(0.5 * (start.xyz + end.xyz) - surface.position, end.xyz - start.xyz, vec3(0.0), vec2(start.w, end.w));
+}
+
+bool ew_is_far(ew_short_piece piece, float core)
+{
+    float radius = 0.5 * length(piece.slope) + 0.25 * length(piece.bend);
+    return length(piece.middle) > max(3.0 * radius, radius + core);
+}
+
+float ew_light_of_far_piece(ew_surface surface, ew_path_block path, ew_short_piece piece, float core)
+{
+    const float node = 0.2886751346;
+    vec3 outward = node * piece.slope;
+    vec3 shifted = piece.middle + node * node * piece.bend;
+    float light = 0.0;
+    for (int side = -1; side <= 1; side += 2) {
+        float u = float(side);
+        float weight = ew_path_weight(path, mix(piece.weight_places.x, piece.weight_places.y, 0.5 + node * u));
+        float speed = length(piece.slope + 2.0 * node * u * piece.bend);
+        light += 0.5 * weight * speed * ew_light_at(surface, shifted + u * outward, core);
+    }
+    EW_PICK_ALONG(light, piece.middle - 0.5 * piece.slope, piece.slope);
+    return light;
+}
+
+float ew_light_of_near_piece(ew_surface surface, ew_path_block path, int i)
+{
+#ifdef EW_BENDS
+    if (path.pieces.z != 0.0)
+        return ew_light_of_bend(surface, ew_bent_piece(path, i), ew_piece_unit(path, 5.0, i, 4).zw, path.weights.xy);
+#endif
+    return ew_light_of_straight_piece(surface, path, ew_piece_unit(path, 2.0, i, 0), ew_piece_unit(path, 2.0, i, 1));
+}
+
+// Near pieces are looked for in a loop of their own: see EW_FIND in light.glsl.
+float ew_light_of_near_pieces(ew_surface surface, ew_path_block path, int first, int last)
+{
+    float core = ew_light_core(path.glow);
+    float sum = 0.0;
+    int i = first;
+    do {
+        bool is_near = false;
+        do {
+            is_near = is_near || !ew_is_far(ew_make_short_piece(surface, path, i), core);
+            i += is_near ? 0 : 1;
+        } while (!is_near && i <= last);
+        if (is_near) {
+            sum += ew_light_of_near_piece(surface, path, i);
+            ++i;
+        }
+    } while (i <= last);
+    return sum;
+}
+
+float ew_light_of_pieces(ew_surface surface, ew_path_block path, int count)
+{
+    float core = ew_light_core(path.glow);
+    float sum = 0.0;
+    int first = count;
+    int last = -1;
+    int i = 0;
+    do {
+        ew_short_piece piece = ew_make_short_piece(surface, path, i);
+        if (ew_is_far(piece, core)) {
+            sum += ew_light_of_far_piece(surface, path, piece, core);
+        } else {
+            first = min(first, i);
+            last = i;
+        }
+    } while (++i < count && i < EW_MAX_PATH_PIECES);
+    if (first <= last) sum += ew_light_of_near_pieces(surface, path, first, last);
+    return sum;
+}
+#endif
+
+float ew_irradiance_of(ew_surface surface, ew_path_block path)
+{
+    if (length(path.ball.xyz - surface.position) >= path.ball.w + ew_light_reach()) return 0.0;
+#ifdef EW_JOINTS
+    if (path.pieces.y > 0.0) return ew_light_of_pieces(surface, path, int(path.pieces.y));
+#endif
+    vec4 start = vec4(path.ball.xyz - path.beam.xyz, 0.0);
+    vec4 end = vec4(path.ball.xyz + path.beam.xyz, 1.0);
+    return ew_light_of_straight_piece(surface, path, start, end);
+}
