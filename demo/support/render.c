@@ -47,6 +47,7 @@ ew_frame_desc render_frame(const demo_scene *scene, const render_settings *setti
     frame.decay_beta = scene->decay_beta;
     frame.core_pixels = scene->core_pixels;
     frame.exposure = scene->exposure;
+    frame.fog = scene->fog;
     frame.integrator = settings->integrator;
     frame.quality = settings->quality;
     frame.simpson_divisions = settings->simpson_divisions;

@@ -52,6 +52,7 @@ typedef struct demo_scene {
     double decay_beta;
     double core_pixels;
     double exposure;
+    ew_fog fog;
     double background[3];
     double color[3];     /* the default of sources; those that name no other have it already */
     ew_output composite; /* EW_OUTPUT_LERP, EW_OUTPUT_ADD or EW_OUTPUT_SOFT */

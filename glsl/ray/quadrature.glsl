@@ -110,6 +110,19 @@ vec2 ew_find_core(float b2, float k, float s0, vec4 glow)
 }
 #endif
 
+#ifdef EW_FOG
+// The same, whether cores are as wide as pixels or not.
+vec2 ew_core_of(float b2, float k, float s0, vec4 glow)
+{
+#ifdef EW_CORE_PIXELS
+    return ew_find_core(b2, k, s0, glow);
+#else
+    float half_core = sqrt(max(glow.x * glow.x - b2, 0.0) / k);
+    return vec2(-half_core, half_core);
+#endif
+}
+#endif
+
 #ifdef EW_WORLD
 // 2 atanh(x) / x of x2 = x^2 < 0.1. Relative error 1e-7.
 float ew_atanh_series(float x2)
@@ -213,12 +226,16 @@ float ew_integrate_floored_reciprocal(float b2, float k, float s0, float from, f
 }
 #endif
 
-// The same, less 1 / R: what a source with a reach has between two places that are within it.
+// The same, less 1 / R: what a source with a reach has between two places that are within it. In fog, too.
 float ew_integrate_within_reach(float b2, float k, float s0, vec2 part, vec4 glow)
 {
+#ifdef EW_FOG
+    return ew_integrate_in_fog(b2, k, s0, part, s0 + ew_core_of(b2, k, s0, glow), vec4(1.0, 0.0, 0.0, 0.0), glow);
+#else
     float sum = ew_integrate_floored_reciprocal(b2, k, s0, part.x, part.y, glow);
 #ifdef EW_REACH
     sum -= ew_inverse_reach(glow) * ew_measure(part.x, part.y);
 #endif
     return sum;
+#endif
 }

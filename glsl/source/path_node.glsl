@@ -21,7 +21,7 @@ float ew_integrate_point_over(ew_segment segment, vec3 position, vec2 part, vec4
     return sum;
 }
 
-#ifdef EW_WORLD
+#if defined(EW_WORLD) && !defined(EW_FOG)
 // A point beside a ray. Its squared distance along the ray is b2 + k y^2, y = s - s0; it is within reach up to `half_chord`,
 // and in the core up to `half_core`. There the field is (1 - tilt (s - max(s0, 0))) / core, to the first order, as the core
 // grows with depth.
@@ -112,7 +112,7 @@ ew_node ew_make_joint(float beyond, bool is_beyond_ahead, float before, bool is_
     return ew_node(mix(mix(edges, chord.yx, is_ahead), way.xx, is_split), mix(mix(chord.yx, edges, is_ahead), way.yx, is_split));
 }
 
-#ifdef EW_WORLD
+#if defined(EW_WORLD) && !defined(EW_FOG)
 float ew_integrate_node(ew_segment segment, vec3 position, ew_node node, vec4 glow)
 {
     ew_point_ray ray = ew_make_point_ray(segment, position, glow);
@@ -140,7 +140,7 @@ float ew_integrate_node(ew_segment segment, vec3 position, ew_node node, vec4 gl
 // but one of the parts.
 float ew_integrate_meeting(ew_segment segment, vec3 position, vec2 last, vec2 first, vec2 whole, vec2 weights, vec4 glow)
 {
-#ifdef EW_WORLD
+#if defined(EW_WORLD) && !defined(EW_FOG)
     ew_point_ray ray = ew_make_point_ray(segment, position, glow);
     vec4 parts = clamp(vec4(last, first) - ray.s0, -ray.half_chord, ray.half_chord);
     vec2 all = clamp(whole - ray.s0, -ray.half_chord, ray.half_chord);
@@ -149,6 +149,17 @@ float ew_integrate_meeting(ew_segment segment, vec3 position, vec2 last, vec2 fi
     float sum = weights.y * (0.69314718 * log2(outer.x * inner.x) * inversesqrt(ray.k) + outer.y + inner.y);
     ew_evaluation_count += 1;
     if (weights.x != weights.y) sum += (weights.x - weights.y) * ew_integrate_point_over(segment, position, last, glow);
+    return sum;
+#elif defined(EW_FOG)
+    // The same ways, so that nothing is left of those from a place to itself; of two that cancel, fog would leave a rest.
+    float sum = 0.0;
+    for (int i = 0; i < 4; ++i) {
+        vec2 way = mix(last, vec2(whole.y, max(last.y, first.y)), bvec2(i == 1));
+        way = mix(way, vec2(min(last.x, first.x), whole.x), bvec2(i == 2));
+        way = mix(way, vec2(max(last.x, first.x), min(last.y, first.y)), bvec2(i == 3));
+        float weight = mix(weights.y, weights.x - weights.y, i == 0);
+        sum += weight * ew_integrate_point_over(segment, position, way, glow);
+    }
     return sum;
 #else
     // A loop, because compilers put the point's integral into the shader for every place that calls it.

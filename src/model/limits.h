@@ -15,5 +15,6 @@
 #define EW_MAX_WINDOW_DEPTH 1e15
 #define EW_MAX_CORE_PIXELS 64.0
 #define EW_MAX_EXPOSURE 1e6
+#define EW_MAX_EXTINCTION 1e12
 
 #endif

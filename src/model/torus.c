@@ -65,7 +65,7 @@ const ew_kind ew_torus_kind = {
     .chord_file = ew_glsl_torus_chord_glsl,
     .hull = hull,
     .pack = pack,
-    .adaptive_files = {ew_glsl_torus_side_glsl, ew_glsl_torus_core_glsl, ew_glsl_torus_part_glsl, ew_glsl_torus_panel_glsl,
-                       ew_glsl_torus_glsl},
+    .adaptive_files = {ew_glsl_torus_side_glsl, ew_glsl_torus_core_glsl, ew_glsl_torus_part_glsl, ew_glsl_product_rule_glsl,
+                       ew_glsl_torus_panel_glsl, ew_glsl_torus_glsl},
     .sampling_files = {ew_glsl_torus_distance_glsl},
 };

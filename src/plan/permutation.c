@@ -38,6 +38,8 @@ static unsigned field_of(const ew_mix *mix, const ew_frame_desc *frame)
     if (mix->has_joints && mix->path_count > 0) key |= EW_PERMUTATION_JOINTS;
     if (mix->has_bends && mix->path_count > 0) key |= EW_PERMUTATION_BENDS | EW_PERMUTATION_JOINTS;
     if (ew_core_pixels_of(frame) > 0) key |= EW_PERMUTATION_CORE_PIXELS;
+    if (ew_has_fog(frame)) key |= EW_PERMUTATION_FOG;
+    if (ew_has_height_fog(frame)) key |= EW_PERMUTATION_FOG_HEIGHT;
     return key;
 }
 

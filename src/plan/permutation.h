@@ -25,7 +25,9 @@ enum {
     EW_PERMUTATION_BENDS = 1 << 14, /* with EW_PERMUTATION_JOINTS */
     EW_PERMUTATION_LISTS = 1 << 15, /* with EW_PERMUTATION_REACH and no exact counts */
     EW_PERMUTATION_SOURCE_TEXTURE = 1 << 16,
-    EW_PERMUTATION_FLAG_COUNT = 17,
+    EW_PERMUTATION_FOG = 1 << 17,
+    EW_PERMUTATION_FOG_HEIGHT = 1 << 18, /* with EW_PERMUTATION_FOG */
+    EW_PERMUTATION_FLAG_COUNT = 19,
 };
 
 /* Above the flags stand the counts of sources by kind, each in a field of EW_PERMUTATION_COUNT_BITS: 0 and 1 stand for

@@ -68,7 +68,8 @@ double true_pixel_error(const true_pixels *truth, const drawn_picture *picture, 
     if (!isfinite(luminance)) return HUGE_VAL;
     double difference = fabs(luminance - pixel->luminance);
     /* A dark picture (no sources, or all of them behind walls) is right if it is dark. */
-    return difference == 0 ? 0 : difference / fmax(pixel->luminance, truth->dark * truth->largest);
+    double dark = fmax(truth->dark * truth->largest, TRUTH_INVISIBLE);
+    return difference == 0 ? 0 : difference / fmax(pixel->luminance, dark);
 }
 
 /* Adds the neighbours of the pixels at which the picture is most wrong. */

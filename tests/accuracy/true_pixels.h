@@ -12,6 +12,8 @@
 
 /* Errors are relative to the truth or, where it is darker, to this share of the largest truth of the picture. */
 #define TRUTH_DARK 1e-3
+/* Light that fog may leave out: what is behind 40 optical depths. */
+#define TRUTH_INVISIBLE 1e-16
 /* The same at adaptive resolution. */
 #define TRUTH_DARK_INTERPOLATED 0.03
 
