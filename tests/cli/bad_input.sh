@@ -140,6 +140,10 @@ point='"position": [0, 0, 0]'
 refuses_world 'decay' '"decay": { "alpha": 1 }'
 refuses_world 'core_pixels' '"core_pixels": 65'
 refuses_world 'exposure' '"exposure": -1'
+refuses_world 'fog\.extinction' '"fog": { "extinction": -1 }'
+refuses_world 'fog\.extinction' '"fog": { "height": { "scale": 1 } }'
+refuses_world 'fog\.height\.scale' '"fog": { "extinction": 1, "height": { "base": 0 } }'
+refuses_world 'fog\.height\.up' '"fog": { "extinction": 1, "height": { "scale": 1, "up": [0, 0, 0] } }'
 refuses_world 'points\[0\]\.reach' "\"points\": [{ $point }]"
 refuses_world 'points\[1\]\.reach' "\"points\": [{ $point, \"reach\": 1 }, { $point, \"brightness\": 1 }]"
 refuses_world 'points\[0\]\.reach' "\"points\": [{ $point, \"core\": 2, \"reach\": 2 }]"

@@ -63,6 +63,15 @@ static const shader_mix mixes[] = {
      .sharp = true,
      .output = EW_OUTPUT_SOFT,
      .dither = true},
+    {.count_of_each = 1, .weighted = true, .has_fog = true, .output = EW_OUTPUT_LUMINANCE},
+    {.count_of_each = 5,
+     .field = FIELD_WORLD,
+     .weighted = true,
+     .sharp = true,
+     .has_core_pixels = true,
+     .has_fog = true,
+     .output = EW_OUTPUT_SOFT,
+     .depth = DEPTH_TEXTURE},
 };
 enum { MIX_COUNT = sizeof mixes / sizeof mixes[0] };
 

@@ -23,6 +23,7 @@ typedef struct shader_mix {
     source_field field;
     bool sharp; /* with a reach */
     bool has_core_pixels;
+    bool has_fog;
     ew_integrator integrator;
     ew_output output;
     target_depth depth;

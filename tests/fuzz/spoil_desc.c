@@ -55,7 +55,11 @@ static size_t frame_runs(random_desc *desc, number_run runs[MAX_RUNS])
     runs[5] = (number_run){&frame->decay_beta, 1};
     runs[6] = (number_run){&frame->core_pixels, 1};
     runs[7] = (number_run){&frame->exposure, 1};
-    return 8;
+    runs[8] = (number_run){&frame->fog.extinction, 1};
+    runs[9] = (number_run){frame->fog.up, 3};
+    runs[10] = (number_run){&frame->fog.base, 1};
+    runs[11] = (number_run){&frame->fog.scale, 1};
+    return 12;
 }
 
 static void spoil_one(const number_run *runs, size_t count, uint64_t *random)

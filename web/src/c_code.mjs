@@ -61,6 +61,11 @@ export function cCode(scene) {
         'static inline void scene_set_frame(ew_frame_desc *frame)', '{',
         `    frame->output = ${outputs[scene.composite ?? 'lerp']};`, `    frame->exposure = ${number(scene.exposure ?? 1)};`);
     if (scene.core_pixels !== undefined) text.push(`    frame->core_pixels = ${number(scene.core_pixels)};`);
+    if (scene.fog) {
+        const { base = 0, scale = 0, up = [0, 1, 0] } = scene.fog.height ?? {};
+        text.push(`    frame->fog = (ew_fog){.extinction = ${number(scene.fog.extinction)}, .up = ${list(up)}, ` +
+            `.base = ${number(base)}, .scale = ${number(scale)}};`);
+    }
     if (scene.interval) {
         const near = scene.camera.near ?? 0.1, far = scene.camera.far ?? 100;
         text.push(`    frame->interval_start = ${number(scene.interval.start ?? near)};`, `    frame->interval_end = ${number(scene.interval.end ?? far)};`,

@@ -156,7 +156,8 @@ double integrand_distance_slope(const integrand *f, double x)
     return vector_dot(f->direction, nearest.offset);
 }
 
-/* The extinction is exp(-height), and height is linear in s: over the way, its mean is (exp(-low) - exp(-high)) / (high - low). */
+/* The extinction is exp(-height), and height is linear in s: over the way, its mean is (exp(-low) - exp(-high)) / (high - low).
+ */
 double integrand_optical_depth(const integrand *f, double x)
 {
     const reference_fog *fog = &f->fog;
