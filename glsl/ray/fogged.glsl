@@ -50,8 +50,6 @@ float ew_integrate_fog_panel(float b2, float k, float s0, float from, float size
 #ifdef EW_WORLD
     vec3 right = from + 0.5 * size * (1.0 + EW_PANEL_NODES);
     vec3 left = from + 0.5 * size * (1.0 - EW_PANEL_NODES);
-    vec3 smooth_right = ew_transmittance(right);
-    vec3 smooth_left = ew_transmittance(left);
     float measure = 0.5 * size;
     float peak = inversesqrt(k);
 #else
@@ -59,11 +57,13 @@ float ew_integrate_fog_panel(float b2, float k, float s0, float from, float size
     vec3 shrink_left = 1.0 + panel.m * EW_PANEL_NODES;
     vec3 right = from + panel.scale * (1.0 + EW_PANEL_NODES) / shrink_right;
     vec3 left = from + panel.scale * (1.0 - EW_PANEL_NODES) / shrink_left;
-    vec3 smooth_right = ew_transmittance(right);
-    vec3 smooth_left = ew_transmittance(left);
     float measure = 0.5 * size / (panel.depth * (panel.depth + size));
     float peak = size * (1.0 - panel.m) / ((1.0 + panel.m) * panel.depth * panel.depth) * inversesqrt(zero.scale2 * k);
 #endif
+    float middle = from + 0.5 * size;
+    vec2 fog = ew_fog_at(middle);
+    vec3 smooth_right = ew_transmittance_in_panel(fog, right - middle);
+    vec3 smooth_left = ew_transmittance_in_panel(fog, left - middle);
     vec3 y_right = right - s0;
     vec3 y_left = left - s0;
 #ifdef EW_WEIGHTS
