@@ -65,7 +65,7 @@ float ew_longest_in_fog(float s, float along, float depth)
     float growth = -along * ew_fog_rise;
     float way = min(2.0 * depth / (2.0 * extinction + max(growth, 0.0) * depth), 2.0 / max(abs(growth), 1e-30));
     float thin = 1e-4 * depth * growth / extinction;
-    float through_thin = log(clamp(1.0 + thin, 1e-37, 1e37)) / mix(growth, 1.0, thin <= -1.0);
+    float through_thin = mix(log(clamp(1.0 + thin, 1e-37, 1e37)) / growth, 0.0, abs(thin) < 1e-3);
     return max(way, mix(through_thin, 1e30, thin <= -1.0));
 }
 #else

@@ -41,7 +41,9 @@ ew_panel ew_map_fog_panel(float from, float size)
 float ew_integrate_fog_panel(float b2, float k, float s0, float from, float size, vec4 weight, float inverse_reach)
 {
     ew_panel panel = ew_map_fog_panel(from, size);
-    ew_mapped_zero zero = ew_map_zero(vec2(s0, sqrt(b2 / k)), panel);
+    // A zero that is far away may as well be that far away, where its square is a float.
+    float far = 1e6 * size;
+    ew_mapped_zero zero = ew_map_zero(vec2(from + clamp(s0 - from, -far, far), min(sqrt(b2 / k), far)), panel);
     ew_moments moments = ew_find_moments(zero);
     bool is_far = zero.square > 4.0;
     vec3 even = 0.5 * (EW_PANEL_LAGRANGE * moments.even);

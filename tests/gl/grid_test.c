@@ -23,6 +23,9 @@ static gl_context *context;
 static ew_effect *effect;
 static GLuint triangle, vertex_array;
 
+/* Of all frames. */
+static ew_fog fog;
+
 static ew_frame_desc frame_to(const canvas *to, ew_output output, ew_resolution resolution)
 {
     ew_frame_desc frame = glow_frame(to->framebuffer);
@@ -34,6 +37,7 @@ static ew_frame_desc frame_to(const canvas *to, ew_output output, ew_resolution 
     frame.encoding = EW_ENCODING_FLOAT;
     frame.depth_source = EW_DEPTH_FRAMEBUFFER;
     frame.resolution = resolution;
+    frame.fog = fog;
     return frame;
 }
 
@@ -112,6 +116,16 @@ static void every_sample_of_a_target_is_alike(void **unused)
     canvas_destroy(&resolved);
 }
 
+/* Even and by height, on targets of a sample and of many. */
+static void targets_of_every_kind_are_alike_in_fog(void **unused)
+{
+    fog = (ew_fog){.extinction = 0.15, .up = {0, 1, 0}};
+    every_output_is_alike_on_a_part_of_a_target(unused);
+    fog.scale = 1.5;
+    every_sample_of_a_target_is_alike(unused);
+    fog.extinction = 0;
+}
+
 static void the_host_s_scissor_bounds_the_patches(void **unused)
 {
     (void)unused;
@@ -146,6 +160,7 @@ int main(int argc, char **argv)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_output_is_alike_on_a_part_of_a_target),
         cmocka_unit_test(every_sample_of_a_target_is_alike),
+        cmocka_unit_test(targets_of_every_kind_are_alike_in_fog),
         cmocka_unit_test(the_host_s_scissor_bounds_the_patches),
         cmocka_unit_test(gl_has_nothing_to_say),
     };
