@@ -2,6 +2,8 @@
 
 // Light behind so many optical depths, 4e-18 of itself, does not count.
 const float EW_FOG_DEPTH = 40.0;
+// So little optical depth is next to none.
+const float EW_THIN_FOG = 2e-4;
 
 // The s at which the ray's fog begins.
 float ew_fog_begin = 0.0;
@@ -11,6 +13,8 @@ float ew_fog_extinction = 0.0;
 #ifdef EW_FOG_HEIGHT
 float ew_fog_height = 0.0;
 float ew_fog_rise = 0.0;
+// Where the height is more than that below 0, a scale of height has more than next to no optical depth: the logarithm of the ratio.
+float ew_fog_thinness = 0.0;
 #endif
 
 #ifdef EW_FOG_HEIGHT
@@ -43,17 +47,29 @@ vec4 ew_optical_depth(vec4 s)
     return ew_optical_depth_of(s, ew_extinction(s));
 }
 
-// The way from s on, `along` the ray (1) or against it (-1), that takes `depth` of optical depth: with the growth g of the
-// extinction e along it, log(1 + g depth / e) / g; without end if there is less. e may be too small for a float.
-float ew_way_through_fog(float s, float along, float depth)
+float ew_height_in_fog(float s)
+{
+    return ew_fog_height + ew_fog_rise * (s - ew_fog_begin);
+}
+
+// The way from the fog's begin on that takes `depth` of optical depth: with the growth g of the extinction e along it,
+// log(1 + g depth / e) / g; without end if there is less. e may be too small for a float.
+float ew_way_through_fog(float depth)
+{
+    float straight = depth / ew_fog_extinction;
+    float x = clamp(-ew_fog_rise * straight, -1e37, 1e37);
+    float beyond = log(max(1.0 + x, 1e-37)) + max(ew_fog_height - 80.0, 0.0);
+    float way = mix(beyond / -ew_fog_rise, straight * (1.0 - x * (0.5 - x * 0.33333333)), abs(x) < 1e-3);
+    return mix(way, 1e30, x <= -1.0);
+}
+
+// The way from s on, `along` the ray (1) or against it (-1), on which there is next to no fog: without end where it thins out, and 0
+// where there is some at once.
+float ew_way_through_thin_fog(float s, float along)
 {
     float growth = -along * ew_fog_rise;
-    float log_straight = log(depth) + ew_fog_height + ew_fog_rise * (s - ew_fog_begin);
-    float straight = exp(clamp(log_straight, -80.0, 55.0));
-    float x = growth * straight;
-    float beyond = log(max(1.0 + x, 1e-37)) + max(log_straight - 55.0, 0.0);
-    float way = mix(beyond / growth, straight * (1.0 - x * (0.5 - x * 0.33333333)), abs(x) < 1e-3);
-    return mix(way, 1e30, x <= -1.0);
+    float room = ew_fog_thinness + ew_height_in_fog(s);
+    return mix(max(room, 0.0) / growth, mix(0.0, 1e30, room >= 0.0), growth <= 0.0);
 }
 
 // How long a panel from s on may be, along the ray or against it, for the transmittance to be a polynomial but for EW_FOG_PANEL's
@@ -61,12 +77,9 @@ float ew_way_through_fog(float s, float along, float depth)
 // `depth` is at least 2 depth / (2 e + g depth).
 float ew_longest_in_fog(float s, float along, float depth)
 {
-    float extinction = ew_extinction(s);
     float growth = -along * ew_fog_rise;
-    float way = min(2.0 * depth / (2.0 * extinction + max(growth, 0.0) * depth), 2.0 / max(abs(growth), 1e-30));
-    float thin = 1e-4 * depth * growth / extinction;
-    float through_thin = mix(log(clamp(1.0 + thin, 1e-37, 1e37)) / growth, 0.0, abs(thin) < 1e-3);
-    return max(way, mix(through_thin, 1e30, thin <= -1.0));
+    float way = 2.0 * depth / (2.0 * ew_extinction(s) + max(growth, 0.0) * depth);
+    return max(min(way, 2.0 / max(abs(growth), 1e-30)), ew_way_through_thin_fog(s, along));
 }
 #else
 vec4 ew_optical_depth(vec4 s)
@@ -74,9 +87,14 @@ vec4 ew_optical_depth(vec4 s)
     return ew_fog_extinction * (s - ew_fog_begin);
 }
 
-float ew_way_through_fog(float s, float along, float depth)
+float ew_way_through_fog(float depth)
 {
     return depth / ew_fog_extinction;
+}
+
+float ew_way_through_thin_fog(float s, float along)
+{
+    return EW_THIN_FOG / ew_fog_extinction;
 }
 
 float ew_longest_in_fog(float s, float along, float depth)
@@ -137,8 +155,9 @@ void ew_enter_fog(inout ew_segment segment)
     ew_fog_rise = dot(ew_fog.height.xyz, segment.direction);
     ew_fog_height = dot(ew_fog.height.xyz, segment.origin) + ew_fog.height.w + ew_fog_begin * ew_fog_rise - log(density);
     ew_fog_extinction = ew_extinction(ew_fog_begin);
+    ew_fog_thinness = log(EW_THIN_FOG * max(abs(ew_fog_rise), 1e-30));
 #else
     ew_fog_extinction = density;
 #endif
-    segment.end = min(segment.end, max(ew_fog_begin + ew_way_through_fog(ew_fog_begin, 1.0, EW_FOG_DEPTH), 0.0));
+    segment.end = min(segment.end, max(ew_fog_begin + ew_way_through_fog(EW_FOG_DEPTH), 0.0));
 }

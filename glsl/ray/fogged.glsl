@@ -8,8 +8,6 @@ const float EW_FOG_PANEL = 1.0;
 #else
 const float EW_FOG_PANEL = 2.0;
 #endif
-// Of a part of the ray, what lies behind so many optical depths counts nothing beside what lies before.
-const float EW_FOG_PART_DEPTH = 20.0;
 // More panels than any part takes.
 const int EW_MAX_FOG_PANELS = 64;
 
@@ -18,7 +16,7 @@ float ew_longest_fog_panel(float s, float along, float optical_depth)
 {
     float way = ew_longest_in_fog(s, along, optical_depth);
 #ifndef EW_WORLD
-    way = max(min(way, 0.5 * (s + ew_beta())), ew_way_through_fog(s, along, 1e-3));
+    way = max(min(way, 0.5 * (s + ew_beta())), ew_way_through_thin_fog(s, along));
 #endif
     return way;
 }
@@ -89,7 +87,6 @@ float ew_integrate_fog_panel(float b2, float k, float s0, float from, float size
 float ew_integrate_in_fog(float b2, float k, float s0, vec2 part, vec2 core, vec4 weight, vec4 glow)
 {
     core = mix(part.yy, clamp(core, part.x, part.y), bvec2(core.x < core.y));
-    float last = part.x + ew_way_through_fog(part.x, 1.0, EW_FOG_PART_DEPTH);
     float core_k = 1e-30;
     float core_s0 = s0;
 #ifdef EW_CORE_PIXELS
@@ -112,6 +109,6 @@ float ew_integrate_in_fog(float b2, float k, float s0, vec2 part, vec2 core, vec
                                              from, max(size, 1e-20), weight, ew_inverse_reach(glow));
         sum += mix(0.0, light, size > 0.0);
         from = mix(from + size, stop, reaches_stop);
-    } while (from < part.y && from < last && ++panel < EW_MAX_FOG_PANELS);
+    } while (from < part.y && ++panel < EW_MAX_FOG_PANELS);
     return sum;
 }

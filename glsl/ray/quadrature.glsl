@@ -226,16 +226,14 @@ float ew_integrate_floored_reciprocal(float b2, float k, float s0, float from, f
 }
 #endif
 
-// The same, less 1 / R: what a source with a reach has between two places that are within it. In fog, too.
+#ifndef EW_FOG
+// The same, less 1 / R: what a source with a reach has between two places that are within it.
 float ew_integrate_within_reach(float b2, float k, float s0, vec2 part, vec4 glow)
 {
-#ifdef EW_FOG
-    return ew_integrate_in_fog(b2, k, s0, part, s0 + ew_core_of(b2, k, s0, glow), vec4(1.0, 0.0, 0.0, 0.0), glow);
-#else
     float sum = ew_integrate_floored_reciprocal(b2, k, s0, part.x, part.y, glow);
 #ifdef EW_REACH
     sum -= ew_inverse_reach(glow) * ew_measure(part.x, part.y);
 #endif
     return sum;
-#endif
 }
+#endif

@@ -21,7 +21,7 @@ float ew_integrate_point_over(ew_segment segment, vec3 position, vec2 part, vec4
     return sum;
 }
 
-#if defined(EW_WORLD) && !defined(EW_FOG)
+#ifdef EW_WORLD
 // A point beside a ray. Its squared distance along the ray is b2 + k y^2, y = s - s0; it is within reach up to `half_chord`,
 // and in the core up to `half_core`. There the field is (1 - tilt (s - max(s0, 0))) / core, to the first order, as the core
 // grows with depth.
@@ -87,6 +87,46 @@ vec2 ew_light_of_ways(ew_point_ray ray, vec2 to, vec2 from, vec4 glow)
 }
 #endif
 
+#if defined(EW_WORLD) && defined(EW_FOG) && defined(EW_JOINTS)
+// What an antiderivative with these values at the ends of both ways, `to` and then `from`, gives in all.
+float ew_over_ways(vec4 at_ends)
+{
+    return at_ends.x + at_ends.y - at_ends.z - at_ends.w;
+}
+
+// The moments of the point's field about `place`, counted from s0, over the same ways: see ew_moments_of_part.
+vec4 ew_moments_of_ways(ew_point_ray ray, vec2 to, vec2 from, float place, vec4 glow)
+{
+    vec2 light = ew_light_of_ways(ray, to, from, glow);
+    vec4 y = vec4(to, from);
+    vec4 outside = sign(y) * max(abs(y), ray.half_core);
+    vec4 inside = clamp(y, -ray.half_core, ray.half_core);
+    vec4 distance = sqrt(ray.b2 + ray.k * outside * outside);
+    float d_core = sqrt(max(ray.core2, ray.b2));
+    float inverse_core = inversesqrt(ray.core2);
+    float at_point = 1.0 + ray.tilt * max(-ray.s0, 0.0);
+    vec4 in_core = inside * inverse_core;
+    vec4 square = outside * outside;
+
+    vec4 moments;
+    moments.x = 0.69314718 * log2(light.x) * inversesqrt(ray.k) + light.y;
+    float of_core = ew_over_ways(in_core * (at_point - 0.5 * ray.tilt * inside));
+    float of_reach = ew_inverse_reach(glow) * ew_over_ways(y);
+    float of_distance = moments.x - of_core + of_reach;
+    // Differences of distances, as quotients.
+    vec2 first = (outside.xy - outside.zw) * (outside.xy + outside.zw) / max(distance.xy + distance.zw, 1e-30);
+    moments.y = first.x + first.y;
+    moments.z = (ew_over_ways(outside * distance - sign(y) * (ray.half_core * d_core)) - ray.b2 * of_distance) * 0.5 / ray.k;
+    moments.w = (ew_over_ways(square * distance) - 2.0 * ray.b2 * moments.y) * (1.0 / 3.0) / ray.k;
+    vec4 inner = inside * in_core;
+    moments.y += ew_over_ways(inner * (0.5 * at_point - (1.0 / 3.0) * ray.tilt * inside) - 0.5 * ew_inverse_reach(glow) * y * y);
+    inner *= inside;
+    moments.z += ew_over_ways((1.0 / 3.0) * inner - (1.0 / 3.0) * ew_inverse_reach(glow) * y * y * y);
+    moments.w += ew_over_ways(0.25 * inner * inside - 0.25 * ew_inverse_reach(glow) * y * y * y * y);
+    return ew_shift_moments(moments, place);
+}
+#endif
+
 #ifdef EW_JOINTS
 // Where a point counts: on the ways along the ray from `from` to `to`, which count negatively where they go backwards.
 struct ew_node {
@@ -121,7 +161,7 @@ float ew_integrate_node(ew_segment segment, vec3 position, ew_node node, vec4 gl
     ew_evaluation_count += 1;
     return 0.69314718 * log2(light.x) * inversesqrt(ray.k) + light.y;
 }
-#else
+#elif !defined(EW_WORLD)
 float ew_integrate_node(ew_segment segment, vec3 position, ew_node node, vec4 glow)
 {
     float sum = 0.0;
