@@ -4,6 +4,8 @@
 #ifdef EW_WORLD
 // A panel's length, times extinction and growth of that. The cubic's error is at most 2e-4 of the transmittance in its middle.
 const float EW_FOG_CUBIC = 0.76;
+// Of a source's light, what has so small a share of the transmittance where it begins does not count.
+const float EW_FOG_HIDDEN = 2e-9;
 // Of moments about a place that is so many half lengths away, little is left but rounding.
 const float EW_FOG_FAR = 24.0;
 
@@ -119,14 +121,17 @@ float ew_integrate_within_reach(float b2, float k, float s0, vec2 part, vec4 glo
 {
 #ifdef EW_WORLD
     float sum = 0.0;
+    float first = 0.0;
     float from = part.x;
     int panel = 0;
     do {
         float to = min(from + ew_longest_cubic(from, glow), part.y);
         float middle = 0.5 * (from + to);
         vec4 moments = ew_moments_of_part(b2, k, s0, vec2(from, to), middle, glow);
-        sum += dot(moments, ew_transmittance_cubic(middle, 0.5 * (to - from)));
-        from = to;
+        vec4 transmittance = ew_transmittance_cubic(middle, 0.5 * (to - from));
+        sum += dot(moments, transmittance);
+        first = mix(first, transmittance.x, panel == 0);
+        from = mix(to, part.y, transmittance.x < EW_FOG_HIDDEN * first);
     } while (from < part.y && ++panel < EW_MAX_FOG_PANELS);
     return sum;
 #else

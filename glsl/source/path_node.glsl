@@ -91,12 +91,28 @@ vec2 ew_light_of_ways(ew_point_ray ray, vec2 to, vec2 from, vec4 glow)
 // What an antiderivative with these values at the ends of both ways, `to` and then `from`, gives in all.
 float ew_over_ways(vec4 at_ends)
 {
-    return at_ends.x + at_ends.y - at_ends.z - at_ends.w;
+    vec2 difference = at_ends.xy - at_ends.zw;
+    return difference.x + difference.y;
 }
 
-// The moments of the point's field about `place`, counted from s0, over the same ways: see ew_moments_of_part.
+// The moments of the point's field about `place`, counted from s0, over the same ways: see ew_moments_of_part. Far away the field is
+// smooth, and Gauss's rule of two nodes serves.
 vec4 ew_moments_of_ways(ew_point_ray ray, vec2 to, vec2 from, float place, vec4 glow)
 {
+    vec2 center = 0.5 * (to + from);
+    vec2 half_way = 0.5 * (to - from);
+    vec4 node = center.xxyy + half_way.xxyy * vec4(-0.57735027, 0.57735027, -0.57735027, 0.57735027);
+    vec4 node_distance2 = ray.b2 + ray.k * node * node;
+    vec4 at_core = (1.0 + ray.tilt * (max(-ray.s0, 0.0) - node)) * inversesqrt(ray.core2);
+    vec4 field = mix(inversesqrt(max(node_distance2, ray.core2)), at_core, lessThan(node_distance2, vec4(ray.core2)));
+    field = (field - ew_inverse_reach(glow)) * half_way.xxyy;
+    bvec2 is_far = greaterThan(ray.b2 + ray.k * center * center, EW_FOG_FAR * EW_FOG_FAR * ray.k * half_way * half_way);
+    field = mix(vec4(0.0), field, is_far.xxyy);
+    node -= place;
+    vec4 far_moments = vec4(dot(field, vec4(1.0)), dot(field, node), dot(field, node * node), dot(field, node * node * node));
+    to = mix(to, vec2(0.0), is_far);
+    from = mix(from, vec2(0.0), is_far);
+
     vec2 light = ew_light_of_ways(ray, to, from, glow);
     vec4 y = vec4(to, from);
     vec4 outside = sign(y) * max(abs(y), ray.half_core);
@@ -123,7 +139,7 @@ vec4 ew_moments_of_ways(ew_point_ray ray, vec2 to, vec2 from, float place, vec4 
     inner *= inside;
     moments.z += ew_over_ways((1.0 / 3.0) * inner - (1.0 / 3.0) * ew_inverse_reach(glow) * y * y * y);
     moments.w += ew_over_ways(0.25 * inner * inside - 0.25 * ew_inverse_reach(glow) * y * y * y * y);
-    return ew_shift_moments(moments, place);
+    return far_moments + ew_shift_moments(moments, place);
 }
 #endif
 

@@ -38,6 +38,7 @@ float ew_integrate_piece_in_fog(ew_segment segment, ew_slab slab, ew_path_block 
     float from = min(min(min(least.x, least.y), min(least.z, least.w)), mix(1e30, part.x, is_lit));
     float stop = max(max(max(most.x, most.y), max(most.z, most.w)), mix(-1e30, part.y, is_lit));
     float sum = 0.0;
+    float first = 0.0;
     int panel = 0;
     while (from < stop && panel < EW_MAX_FOG_PANELS) {
         float to = min(from + ew_longest_cubic(from, path.glow), stop);
@@ -45,8 +46,10 @@ float ew_integrate_piece_in_fog(ew_segment segment, ew_slab slab, ew_path_block 
         vec4 moments = ew_moments_of_part(b2, k, s0, clamp(part, from, to), middle, path.glow);
         vec4 ways = clamp(ends, from, to) - ray.s0;
         moments += weight * ew_moments_of_ways(ray, ways.xy, ways.zw, middle - ray.s0, path.glow);
-        sum += dot(moments, ew_transmittance_cubic(middle, 0.5 * (to - from)));
-        from = to;
+        vec4 transmittance = ew_transmittance_cubic(middle, 0.5 * (to - from));
+        sum += dot(moments, transmittance);
+        first = mix(first, transmittance.x, panel == 0);
+        from = mix(to, stop, transmittance.x < EW_FOG_HIDDEN * first);
         ++panel;
     }
     ew_evaluation_count += 2;
