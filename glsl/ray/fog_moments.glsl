@@ -26,15 +26,16 @@ float ew_longest_cubic(float s, vec4 glow)
 }
 
 // The transmittance at y from the middle of a panel, |y| <= radius: x + y (y + y (z + y w)). It is Taylor's series of order five, whose last
-// two terms are economized. In a panel that is too long for it there is next to no fog.
+// two terms are economized. In a panel that is too long for it there is next to no fog, and one that is too short for powers of it is a
+// place.
 vec4 ew_transmittance_cubic(float middle, float radius)
 {
     vec2 fog = ew_fog_at(middle);
-    float e = fog.y;
-    float radius2 = radius * radius;
+    float e = fog.y * radius;
 #ifdef EW_FOG_HEIGHT
-    float rise = mix(ew_fog_rise, 0.0, abs(ew_fog_rise) * radius > 1.5);
-    e = mix(e, 0.0, abs(ew_fog_rise) * radius > 1.5);
+    float rise = ew_fog_rise * radius;
+    e = mix(e, 0.0, abs(rise) > 1.5);
+    rise = mix(rise, 0.0, abs(rise) > 1.5);
     float second = e * (rise + e);
     float third = -e * (rise * rise + e * (3.0 * rise + e));
     float fourth = e * (rise * rise * rise + e * (7.0 * rise * rise + e * (6.0 * rise + e)));
@@ -45,8 +46,10 @@ vec4 ew_transmittance_cubic(float middle, float radius)
     float fourth = second * second;
     float fifth = e * -fourth;
 #endif
-    vec4 cubic = vec4(1.0, -e - fifth * radius2 * radius2 * (0.3125 / 120.0),
-                      0.5 * second + fourth * radius2 * (0.8 / 24.0), (1.0 / 6.0) * third + fifth * radius2 * (1.25 / 120.0));
+    float inverse = mix(1.0 / radius, 0.0, radius < 1e-10);
+    float inverse2 = inverse * inverse;
+    vec4 cubic = vec4(1.0, inverse * (-e - fifth * (0.3125 / 120.0)), inverse2 * (0.5 * second + fourth * (0.8 / 24.0)),
+                      inverse * inverse2 * ((1.0 / 6.0) * third + fifth * (1.25 / 120.0)));
     return exp2(-1.44269504 * min(fog.x, 100.0)) * cubic;
 }
 
@@ -73,6 +76,8 @@ vec4 ew_shift_moments(vec4 moments, float place)
 //     y^2 / d  (y d - b2 (that of 1 / d)) / 2 k,  and  y^3 / d  (y^2 d - 2 b2 (that of y / d)) / 3 k.
 vec4 ew_moments_of_part(float b2, float k, float s0, vec2 part, float middle, vec4 glow)
 {
+    // Of empty parts, whose source may be anywhere, powers must be floats, too.
+    s0 = clamp(s0, middle - 1e9, middle + 1e9);
     vec2 y = part - s0;
     vec2 core = ew_core_of(b2, k, s0, glow);
     vec2 inside = clamp(core, y.xx, y.yy);

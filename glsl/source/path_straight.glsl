@@ -44,7 +44,7 @@ float ew_integrate_piece_in_fog(ew_segment segment, ew_slab slab, ew_path_block 
         float to = min(from + ew_longest_cubic(from, path.glow), stop);
         float middle = 0.5 * (from + to);
         vec4 moments = ew_moments_of_part(b2, k, s0, clamp(part, from, to), middle, path.glow);
-        vec4 ways = clamp(ends, from, to) - ray.s0;
+        vec4 ways = clamp(clamp(ends, from, to) - ray.s0, -ray.half_chord, ray.half_chord);
         moments += weight * ew_moments_of_ways(ray, ways.xy, ways.zw, middle - ray.s0, path.glow);
         vec4 transmittance = ew_transmittance_cubic(middle, 0.5 * (to - from));
         sum += dot(moments, transmittance);
