@@ -105,7 +105,7 @@ float ew_longest_in_fog(float s, float along, float depth)
 
 vec4 ew_transmittance_of(vec4 optical_depth)
 {
-    return exp2(-1.44269504 * min(optical_depth, 100.0));
+    return exp2(-1.44269504 * clamp(optical_depth, 0.0, 100.0));
 }
 
 // The share of the light at s that reaches the place where the fog begins.
@@ -144,7 +144,7 @@ vec3 ew_transmittance_in_panel(vec2 fog, vec3 y)
     vec3 x = clamp(-ew_fog_rise * y, -1.0, 1.0);
     depth *= 1.0 + x * (0.5 + x * (0.16666667 + x * (0.041666667 + x * (0.0083333333 + x * (0.0013888889 + x * 0.00019841270)))));
 #endif
-    return exp2(-1.44269504 * min(fog.x + depth, 100.0));
+    return exp2(-1.44269504 * clamp(fog.x + depth, 0.0, 100.0));
 }
 
 // Prepares for a ray, and ends it where the fog hides all.

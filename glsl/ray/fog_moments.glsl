@@ -50,7 +50,7 @@ vec4 ew_transmittance_cubic(float middle, float radius)
     float inverse2 = inverse * inverse;
     vec4 cubic = vec4(1.0, inverse * (-e - fifth * (0.3125 / 120.0)), inverse2 * (0.5 * second + fourth * (0.8 / 24.0)),
                       inverse * inverse2 * ((1.0 / 6.0) * third + fifth * (1.25 / 120.0)));
-    return exp2(-1.44269504 * min(fog.x, 100.0)) * cubic;
+    return exp2(-1.44269504 * clamp(fog.x, 0.0, 100.0)) * cubic;
 }
 
 // The integrals of 1, y, y^2 and y^3 from y.x to y.y.

@@ -106,7 +106,7 @@ float ew_integrate_in_fog(float b2, float k, float s0, vec2 part, vec2 core, vec
         bool reaches_stop = longest >= stop - from;
         float size = mix(longest, stop - from, reaches_stop);
         float light = ew_integrate_fog_panel(mix(b2, core_b2, is_in_core), mix(k, core_k, is_in_core), mix(s0, core_s0, is_in_core),
-                                             from, max(size, 1e-20), weight, ew_inverse_reach(glow));
+                                             from, max(size, 1e-15), weight, ew_inverse_reach(glow));
         sum += mix(0.0, light, size > 0.0);
         from = mix(from + size, stop, reaches_stop);
     } while (from < part.y && ++panel < EW_MAX_FOG_PANELS);
