@@ -426,6 +426,21 @@ typedef enum ew_normal_encoding {
     EW_NORMAL_VIEW_BIASED,
 } ew_normal_encoding;
 
+/* Fog, which pales the light on its way to the eye as it pales the opaque scene, which is the host's to fog: what a source
+ * sheds at a place of a ray counts exp(-integral of the extinction), over the way from the eye to that place (in a parallel
+ * projection, from the near plane). The extinction is the same everywhere or, with a `scale`, falls with height as
+ *
+ *     extinction exp(-(height - base) / scale),        height: along `up`, in world units
+ *
+ * Light behind more than 40 optical depths, 4e-18 of itself, does not count. A source's `sharpness` shapes what is left of its
+ * luminance, so it makes fog thicker. The fog scatters no light: a halo is the host's. */
+typedef struct ew_fog {
+    double extinction; /* per world unit, in [0, 1e12]; at `base`, if there is a scale. 0: no fog */
+    double up[3];      /* of any length but zero; ignored without a scale */
+    double base;       /* a height: where the extinction is as above; ignored without a scale */
+    double scale;      /* in world units: how far up the extinction falls to 1 / e; 0: it is the same everywhere */
+} ew_fog;
+
 /* One frame. Start from EW_FRAME_DEFAULTS and set the camera and the target. The defaults suit a window of 8 bits a channel: a
  * composite that does not clip, with dither. For a float target set `encoding`, and an output that keeps what is above 1. */
 typedef struct ew_frame_desc {
@@ -460,6 +475,7 @@ typedef struct ew_frame_desc {
     /* Of EW_OUTPUT_SURFACES: 0: without shadows. Else how thick, in world units, opaque things are taken to be, of which depth
      * tells the front alone; what passes deeper behind that is lit. */
     double shadow_thickness;
+    ew_fog fog;
 
     ew_integrator integrator;
     ew_quality quality;
@@ -530,6 +546,7 @@ typedef struct ew_frame_desc {
             EW_CORE_PIXELS_DEFAULT,                                /* core_pixels */                                           \
             1,                                                     /* exposure */                                              \
             1, 0, 0,                                               /* light_gain, light_reach, shadow_thickness */             \
+            {0, {0, 1, 0}, 0, 0},                                  /* fog: extinction, up, base, scale */                      \
             EW_INTEGRATOR_ADAPTIVE, EW_QUALITY_ERROR_1E_3, 200,    /* integrator, quality, simpson_divisions */                \
             EW_RESOLUTION_ADAPTIVE,                                /* resolution */                                            \
             EW_OUTPUT_SOFT,                                        /* output */                                                \

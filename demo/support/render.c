@@ -50,6 +50,7 @@ ew_frame_desc render_frame(const demo_scene *scene, const render_settings *setti
     frame.light_gain = scene->light_gain;
     frame.light_reach = scene->light_reach;
     frame.shadow_thickness = scene->shadow_thickness;
+    frame.fog = scene->fog;
     frame.integrator = settings->integrator;
     frame.quality = settings->quality;
     frame.simpson_divisions = settings->simpson_divisions;

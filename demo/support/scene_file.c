@@ -148,7 +148,7 @@ static void read_version_and_comment(json_reader *r, const json_value *root)
 static void check_root_keys(json_reader *r, const json_value *root)
 {
     static const char *const fixed[] = {"version",  "comment",    "camera", "interval",  "decay",  "epsilon", "core_pixels",
-                                        "exposure", "background", "color",  "composite", "opaque", "light"};
+                                        "exposure", "background", "color",  "composite", "opaque", "light",   "fog"};
     enum { FIXED_COUNT = sizeof fixed / sizeof *fixed };
     const char *keys[FIXED_COUNT + SCENE_SOURCE_KIND_COUNT + 1] = {NULL};
     for (int i = 0; i < FIXED_COUNT; i++)
@@ -180,6 +180,26 @@ static void read_light(json_reader *r, const json_value *root, demo_scene *scene
     read_factor(r, &object, "shadow_thickness", 1e18, &scene->shadow_thickness);
 }
 
+/* Without a height, the fog is the same everywhere. */
+static void read_fog(json_reader *r, const json_value *root, ew_fog *fog)
+{
+    static const char *const keys[] = {"extinction", "height", NULL};
+    static const char *const height_keys[] = {"base", "scale", "up", NULL};
+    vector_copy((double[3]){0, 1, 0}, fog->up);
+    json_value object = reader_member(r, root, "fog", OPTIONAL);
+    if (!object.json) return;
+    reader_check_keys(r, &object, keys);
+    reader_number_member(r, &object, "extinction", REQUIRED, NOT_NEGATIVE, &fog->extinction);
+    json_place extinction_place = {&object.at, "extinction", 0};
+    if (fog->extinction > 1e12) reader_fail(r, &extinction_place, "must be from 0 to 1e12, but is %g", fog->extinction);
+    json_value height = reader_member(r, &object, "height", OPTIONAL);
+    if (!height.json) return;
+    reader_check_keys(r, &height, height_keys);
+    reader_number_member(r, &height, "base", OPTIONAL, ANY, &fog->base);
+    reader_number_member(r, &height, "scale", REQUIRED, POSITIVE, &fog->scale);
+    if (reader_member(r, &height, "up", OPTIONAL).json) reader_direction_member(r, &height, "up", fog->up);
+}
+
 static void read_look(json_reader *r, const json_value *root, demo_scene *scene)
 {
     static const char *const names[] = {"lerp", "add", "soft", NULL};
@@ -190,6 +210,7 @@ static void read_look(json_reader *r, const json_value *root, demo_scene *scene)
     scene->exposure = 1;
     read_factor(r, root, "exposure", 1e6, &scene->exposure);
     read_light(r, root, scene);
+    read_fog(r, root, &scene->fog);
     reader_vector_member(r, root, "background", OPTIONAL, NOT_NEGATIVE, scene->background);
     vector_copy((double[3]){0.2, 0.5, 1}, scene->color);
     reader_vector_member(r, root, "color", OPTIONAL, NOT_NEGATIVE, scene->color);

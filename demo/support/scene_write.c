@@ -198,6 +198,17 @@ static void put_light_on_surfaces(json_writer *w, json_t *root, const demo_scene
     put(w, root, "light", object);
 }
 
+static json_t *fog_of(json_writer *w, const ew_fog *fog)
+{
+    json_t *object = json_object();
+    put(w, object, "extinction", json_real(fog->extinction));
+    if (fog->scale == 0) return object;
+    json_t *height = pair_of(w, "base", fog->base, "scale", fog->scale);
+    put(w, height, "up", numbers(w, fog->up, 3));
+    put(w, object, "height", height);
+    return object;
+}
+
 static void put_look(json_writer *w, json_t *root, const demo_scene *scene)
 {
     static const struct {
@@ -208,6 +219,7 @@ static void put_look(json_writer *w, json_t *root, const demo_scene *scene)
     if (scene->core_pixels >= 0) put(w, root, "core_pixels", json_real(scene->core_pixels));
     put(w, root, "exposure", json_real(scene->exposure));
     put_light_on_surfaces(w, root, scene);
+    if (scene->fog.extinction > 0) put(w, root, "fog", fog_of(w, &scene->fog));
     put(w, root, "background", numbers(w, scene->background, 3));
     put(w, root, "color", numbers(w, scene->color, 3));
     for (size_t i = 0; i < sizeof composites / sizeof *composites; i++)

@@ -10,6 +10,7 @@ layout(std140) uniform ew_uniforms
     ew_frame_block ew_uniform_frame;
     ivec4 ew_uniform_source_counts[EW_COUNT_VECTORS];
     ew_grid_block ew_grid;
+    ew_fog_block ew_uniform_fog;
     vec4 ew_source_data[EW_SOURCE_DATA_SIZE];
 };
 
@@ -25,9 +26,13 @@ layout(std140) uniform ew_uniforms
 #ifdef EW_SOFTWARE
 EW_VARYING ew_frame_block ew_frame;
 EW_VARYING ivec4 ew_source_counts[EW_COUNT_VECTORS];
+#ifdef EW_FOG
+EW_VARYING ew_fog_block ew_fog;
+#endif
 #else
 #define ew_frame ew_uniform_frame
 #define ew_source_counts ew_uniform_source_counts
+#define ew_fog ew_uniform_fog
 #endif
 
 #ifdef EW_SOURCE_VARYINGS
@@ -56,6 +61,9 @@ void ew_copy_varyings()
 #ifdef EW_SOFTWARE
     ew_frame = ew_uniform_frame;
     ew_source_counts = ew_uniform_source_counts;
+#ifdef EW_FOG
+    ew_fog = ew_uniform_fog;
+#endif
 #endif
 #ifdef EW_SOURCE_VARYINGS
     for (int i = 0; i < EW_SOURCE_VARYINGS; ++i)

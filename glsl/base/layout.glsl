@@ -35,6 +35,12 @@ struct ew_grid_block {
     ivec4 tiles;    // x: columns of tiles, y: log2 of a tile's width in pixels, zw: where the first one begins, from xy of `viewport`
 };
 
+// Fog, in units of ray space.
+struct ew_fog_block {
+    vec4 density; // x: the extinction; at height 0, if it changes with height; y: s where the fog of the frame's rays begins
+    vec4 height;  // of a place p: dot(height, vec4(p, 1)), in scales from the base up
+};
+
 // Adaptive resolution divides the viewport into square cells of EW_CELL_SIZE pixels, and these stand in blocks of EW_BLOCK_CELLS by
 // EW_BLOCK_CELLS. Nodes are at the cells' corners, and more in the middle of cells; EW_NODE_MARGIN more lie beyond the blocks on either side. EW_PEAK_SIZE: over
 // how many nodes, in each direction, a pixel of the peak pass goes.

@@ -53,6 +53,9 @@ vec4 ew_light(vec3 origin, vec3 direction, vec2 interval, float opaque)
     vec3 start = ew_to_ray_space(origin + interval.x * direction, 1.0);
     vec3 to_end = ew_to_ray_space(interval_length * direction, 0.0);
     ew_view_depth = vec2(ew_frame.core_floor.y - start.z, max(-to_end.z, 1e-6));
+#ifdef EW_FOG
+    ew_fog_begin = -interval.x / interval_length;
+#endif
     return ew_integrate_all(ew_segment(start, to_end, clamp((opaque - interval.x) / interval_length, 0.0, 1.0)));
 }
 

@@ -63,6 +63,9 @@ float ew_others(vec4 sum, vec4 color)
 vec4 ew_integrate_all(ew_segment segment)
 {
     vec4 sum = vec4(0.0);
+#ifdef EW_FOG
+    ew_enter_fog(segment);
+#endif
     vec2 whole = vec2(0.0, segment.end);
     vec2 chord = whole;
     EW_ADD_KINDS

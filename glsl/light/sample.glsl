@@ -10,6 +10,9 @@ float ew_sample(float distance_squared, float s, vec4 glow)
     float field = 1.0;
     float distance = sqrt(max(distance_squared, ew_core2(glow, s)));
 #endif
+#ifdef EW_FOG
+    field *= ew_transmittance(s);
+#endif
 #ifdef EW_WORLD
     return field;
 #elif defined(EW_REACH)

@@ -15,5 +15,8 @@ ew_segment ew_pixel_segment(vec2 pixel)
     const float span = 1.0;
 #endif
     ew_view_depth = vec2(ew_frame.core_floor.y, 1.0);
+#ifdef EW_FOG
+    ew_fog_begin = ew_fog.density.y;
+#endif
     return ew_segment(vec3(ray.xy, 0.0), vec3(ray.zw, -1.0), span);
 }

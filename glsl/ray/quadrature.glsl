@@ -110,6 +110,19 @@ vec2 ew_find_core(float b2, float k, float s0, vec4 glow)
 }
 #endif
 
+#ifdef EW_FOG
+// The same, whether cores are as wide as pixels or not.
+vec2 ew_core_of(float b2, float k, float s0, vec4 glow)
+{
+#ifdef EW_CORE_PIXELS
+    return ew_find_core(b2, k, s0, glow);
+#else
+    float half_core = sqrt(max(glow.x * glow.x - b2, 0.0) / k);
+    return vec2(-half_core, half_core);
+#endif
+}
+#endif
+
 #ifdef EW_WORLD
 // 2 atanh(x) / x of x2 = x^2 < 0.1. Relative error 1e-7.
 float ew_atanh_series(float x2)
@@ -213,6 +226,7 @@ float ew_integrate_floored_reciprocal(float b2, float k, float s0, float from, f
 }
 #endif
 
+#ifndef EW_FOG
 // The same, less 1 / R: what a source with a reach has between two places that are within it.
 float ew_integrate_within_reach(float b2, float k, float s0, vec2 part, vec4 glow)
 {
@@ -222,3 +236,4 @@ float ew_integrate_within_reach(float b2, float k, float s0, vec2 part, vec4 glo
 #endif
     return sum;
 }
+#endif

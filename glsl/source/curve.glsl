@@ -138,10 +138,14 @@ float ew_integrate_stretch(ew_arc arc, ew_approaches approaches, float from, flo
     vec2 part = portion.ends;
     passage.core = ew_clip(arc, portion, true).ends;
     passage.b2 = ew_least_b2(arc, passage, part);
+#ifdef EW_FOG
+    float reciprocal = ew_integrate_in_fog(passage.b2, passage.k, passage.s0, part, passage.core, vec4(1.0, 0.0, 0.0, 0.0), arc.glow);
+#else
     float reciprocal = ew_integrate_core(passage.core.x, passage.core.y, arc.glow);
     reciprocal -= ew_inverse_reach(arc.glow) * (part.y - part.x);
     reciprocal += ew_integrate_reciprocal(passage.b2, passage.k, passage.s0, part.x, passage.core.x);
     reciprocal += ew_integrate_reciprocal(passage.b2, passage.k, passage.s0, passage.core.y, part.y);
+#endif
     float light = sum + max(passage.weight, 0.02 * arc.mean_weight) * max(reciprocal, 0.0);
     float allowance = ew_tolerance() * (light + EW_OTHERS_SHARE * others);
     float rest = 0.0;
@@ -196,7 +200,11 @@ float ew_add_stretches(ew_arc arc, ew_cell first_cell, ew_cell last_cell, vec2 f
 {
 #ifdef EW_REACH
     // The brightness is known, and light that is a thousandth of it need not be exact to a thousandth of itself.
-    if (ew_has_reach(arc.glow)) others += 1e-3 / EW_OTHERS_SHARE * 1.386 * log2(max(arc.glow.y / arc.glow.x, 1.0001));
+    float faint = 1e-3 / EW_OTHERS_SHARE * 1.386 * log2(max(arc.glow.y / arc.glow.x, 1.0001));
+#ifdef EW_FOG
+    faint *= ew_transmittance(chord.x);
+#endif
+    if (ew_has_reach(arc.glow)) others += faint;
 #endif
     ew_approaches approaches = ew_find_approaches(arc);
     vec4 splits = ew_find_splits(arc, first_cell, last_cell);

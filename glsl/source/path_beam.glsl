@@ -39,7 +39,29 @@ ew_beam ew_meet_beam(ew_segment segment, ew_path_block path, vec2 chord)
                    vec3(k, line_k, k), vec3(s0 - size * step, line_s0, s0 + size * step), planes, is_turned);
 }
 
-#ifdef EW_WORLD
+#ifdef EW_FOG
+// `weights` are those of the first end, the line and the last end.
+float ew_integrate_beam_parts(ew_beam beam, vec2 chord, vec3 weights, vec4 glow)
+{
+    vec3 from = vec3(chord.x, beam.planes);
+    vec3 to = vec3(beam.planes, chord.y);
+    float sum = 0.0;
+    // A loop, because compilers put the integral into the shader for every place that calls it.
+    for (int i = 0; i < 3; ++i) {
+        vec2 part = vec2(from[i], to[i]);
+#ifdef EW_REACH
+        if (ew_has_reach(glow)) {
+            float b = sqrt(beam.b2[i]);
+            float half_chord = sqrt(max((glow.y - b) * (glow.y + b), 0.0) / beam.k[i]);
+            part = clamp(part, beam.s0[i] - half_chord, beam.s0[i] + half_chord);
+        }
+#endif
+        if (part.x < part.y) sum += weights[i] * ew_integrate_within_reach(beam.b2[i], beam.k[i], beam.s0[i], part, glow);
+    }
+    ew_evaluation_count += 3;
+    return sum;
+}
+#elif defined(EW_WORLD)
 // Both ends of a beam at once, by the form of ew_integrate_node: of each, from the edge of its cap to the end of what the ray has of
 // its reach.
 vec2 ew_integrate_beam_ends(ew_beam beam, vec2 chord, vec4 glow)

@@ -87,6 +87,62 @@ vec2 ew_light_of_ways(ew_point_ray ray, vec2 to, vec2 from, vec4 glow)
 }
 #endif
 
+#if defined(EW_WORLD) && defined(EW_FOG) && defined(EW_JOINTS)
+// What an antiderivative with these values at the ends of both ways, `to` and then `from`, gives in all.
+float ew_over_ways(vec4 at_ends)
+{
+    vec2 difference = at_ends.xy - at_ends.zw;
+    return difference.x + difference.y;
+}
+
+// The moments of the point's field about `place`, counted from s0, over the same ways: see ew_moments_of_part. Far away the field is
+// smooth, and Gauss's rule of two nodes serves.
+vec4 ew_moments_of_ways(ew_point_ray ray, vec2 to, vec2 from, float place, vec4 glow)
+{
+    vec2 center = 0.5 * (to + from);
+    vec2 half_way = 0.5 * (to - from);
+    vec4 node = center.xxyy + half_way.xxyy * vec4(-0.57735027, 0.57735027, -0.57735027, 0.57735027);
+    vec4 node_distance2 = ray.b2 + ray.k * node * node;
+    vec4 at_core = (1.0 + ray.tilt * (max(-ray.s0, 0.0) - node)) * inversesqrt(ray.core2);
+    vec4 field = mix(inversesqrt(max(node_distance2, ray.core2)), at_core, lessThan(node_distance2, vec4(ray.core2)));
+    field = (field - ew_inverse_reach(glow)) * half_way.xxyy;
+    bvec2 is_far = greaterThan(ray.b2 + ray.k * center * center, EW_FOG_FAR * EW_FOG_FAR * ray.k * half_way * half_way);
+    field = mix(vec4(0.0), field, is_far.xxyy);
+    node -= place;
+    vec4 far_moments = vec4(dot(field, vec4(1.0)), dot(field, node), dot(field, node * node), dot(field, node * node * node));
+    to = mix(to, vec2(0.0), is_far);
+    from = mix(from, vec2(0.0), is_far);
+
+    vec2 light = ew_light_of_ways(ray, to, from, glow);
+    vec4 y = vec4(to, from);
+    vec4 outside = sign(y) * max(abs(y), ray.half_core);
+    vec4 inside = clamp(y, -ray.half_core, ray.half_core);
+    vec4 distance = sqrt(ray.b2 + ray.k * outside * outside);
+    float d_core = sqrt(max(ray.core2, ray.b2));
+    float inverse_core = inversesqrt(ray.core2);
+    float at_point = 1.0 + ray.tilt * max(-ray.s0, 0.0);
+    vec4 in_core = inside * inverse_core;
+    vec4 square = outside * outside;
+
+    vec4 moments;
+    moments.x = 0.69314718 * log2(light.x) * inversesqrt(ray.k) + light.y;
+    float of_core = ew_over_ways(in_core * (at_point - 0.5 * ray.tilt * inside));
+    float of_reach = ew_inverse_reach(glow) * ew_over_ways(y);
+    float of_distance = moments.x - of_core + of_reach;
+    // Differences of distances, as quotients.
+    vec2 first = (outside.xy - outside.zw) * (outside.xy + outside.zw) / max(distance.xy + distance.zw, 1e-30);
+    moments.y = first.x + first.y;
+    moments.z = (ew_over_ways(outside * distance - sign(y) * (ray.half_core * d_core)) - ray.b2 * of_distance) * 0.5 / ray.k;
+    moments.w = (ew_over_ways(square * distance) - 2.0 * ray.b2 * moments.y) * (1.0 / 3.0) / ray.k;
+    vec4 inner = inside * in_core;
+    moments.y += ew_over_ways(inner * (0.5 * at_point - (1.0 / 3.0) * ray.tilt * inside) - 0.5 * ew_inverse_reach(glow) * y * y);
+    inner *= inside;
+    moments.z += ew_over_ways((1.0 / 3.0) * inner - (1.0 / 3.0) * ew_inverse_reach(glow) * y * y * y);
+    moments.w += ew_over_ways(0.25 * inner * inside - 0.25 * ew_inverse_reach(glow) * y * y * y * y);
+    return far_moments + ew_shift_moments(moments, place);
+}
+#endif
+
 #ifdef EW_JOINTS
 // Where a point counts: on the ways along the ray from `from` to `to`, which count negatively where they go backwards.
 struct ew_node {
@@ -112,7 +168,7 @@ ew_node ew_make_joint(float beyond, bool is_beyond_ahead, float before, bool is_
     return ew_node(mix(mix(edges, chord.yx, is_ahead), way.xx, is_split), mix(mix(chord.yx, edges, is_ahead), way.yx, is_split));
 }
 
-#ifdef EW_WORLD
+#if defined(EW_WORLD) && !defined(EW_FOG)
 float ew_integrate_node(ew_segment segment, vec3 position, ew_node node, vec4 glow)
 {
     ew_point_ray ray = ew_make_point_ray(segment, position, glow);
@@ -121,7 +177,7 @@ float ew_integrate_node(ew_segment segment, vec3 position, ew_node node, vec4 gl
     ew_evaluation_count += 1;
     return 0.69314718 * log2(light.x) * inversesqrt(ray.k) + light.y;
 }
-#else
+#elif !defined(EW_WORLD)
 float ew_integrate_node(ew_segment segment, vec3 position, ew_node node, vec4 glow)
 {
     float sum = 0.0;
@@ -140,7 +196,7 @@ float ew_integrate_node(ew_segment segment, vec3 position, ew_node node, vec4 gl
 // but one of the parts.
 float ew_integrate_meeting(ew_segment segment, vec3 position, vec2 last, vec2 first, vec2 whole, vec2 weights, vec4 glow)
 {
-#ifdef EW_WORLD
+#if defined(EW_WORLD) && !defined(EW_FOG)
     ew_point_ray ray = ew_make_point_ray(segment, position, glow);
     vec4 parts = clamp(vec4(last, first) - ray.s0, -ray.half_chord, ray.half_chord);
     vec2 all = clamp(whole - ray.s0, -ray.half_chord, ray.half_chord);
@@ -149,6 +205,17 @@ float ew_integrate_meeting(ew_segment segment, vec3 position, vec2 last, vec2 fi
     float sum = weights.y * (0.69314718 * log2(outer.x * inner.x) * inversesqrt(ray.k) + outer.y + inner.y);
     ew_evaluation_count += 1;
     if (weights.x != weights.y) sum += (weights.x - weights.y) * ew_integrate_point_over(segment, position, last, glow);
+    return sum;
+#elif defined(EW_FOG)
+    // The same ways, so that nothing is left of those from a place to itself; of two that cancel, fog would leave a rest.
+    float sum = 0.0;
+    for (int i = 0; i < 4; ++i) {
+        vec2 way = mix(last, vec2(whole.y, max(last.y, first.y)), bvec2(i == 1));
+        way = mix(way, vec2(min(last.x, first.x), whole.x), bvec2(i == 2));
+        way = mix(way, vec2(max(last.x, first.x), min(last.y, first.y)), bvec2(i == 3));
+        float weight = mix(weights.y, weights.x - weights.y, i == 0);
+        sum += weight * ew_integrate_point_over(segment, position, way, glow);
+    }
     return sum;
 #else
     // A loop, because compilers put the point's integral into the shader for every place that calls it.

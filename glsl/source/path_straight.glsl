@@ -19,6 +19,44 @@ float ew_integrate_line_of_piece(ew_segment segment, ew_slab slab, ew_path_block
 }
 
 #ifdef EW_JOINTS
+#if defined(EW_WORLD) && defined(EW_FOG)
+// The light between the planes of a piece, unless it has weights, and `weight` times that of the point at its start or end, against one
+// transmittance in panels that both share.
+float ew_integrate_piece_in_fog(ew_segment segment, ew_slab slab, ew_path_block path, ew_planes planes, bool has_line, vec3 position,
+                                ew_node node, float weight)
+{
+    vec2 part = mix(vec2(planes.end, planes.start), vec2(planes.start, planes.end), bvec2(planes.is_along));
+    float b2, k, s0;
+    ew_find_line(segment, slab, path.glow, part, b2, k, s0);
+    ew_point_ray ray = ew_make_point_ray(segment, position, path.glow);
+    vec4 ends = ray.s0 + clamp(vec4(node.to, node.from) - ray.s0, -ray.half_chord, ray.half_chord);
+    bool is_lit = has_line && part.x < part.y;
+    part = mix(part.xx, part, bvec2(is_lit));
+    bvec4 is_empty = equal(ends, ends.zwxy);
+    vec4 least = mix(ends, vec4(1e30), is_empty);
+    vec4 most = mix(ends, vec4(-1e30), is_empty);
+    float from = min(min(min(least.x, least.y), min(least.z, least.w)), mix(1e30, part.x, is_lit));
+    float stop = max(max(max(most.x, most.y), max(most.z, most.w)), mix(-1e30, part.y, is_lit));
+    float sum = 0.0;
+    float first = 0.0;
+    int panel = 0;
+    while (from < stop && panel < EW_MAX_FOG_PANELS) {
+        float to = min(from + ew_longest_cubic(from, path.glow), stop);
+        float middle = 0.5 * (from + to);
+        vec4 moments = ew_moments_of_part(b2, k, s0, clamp(part, from, to), middle, path.glow);
+        vec4 ways = clamp(clamp(ends, from, to) - ray.s0, -ray.half_chord, ray.half_chord);
+        moments += weight * ew_moments_of_ways(ray, ways.xy, ways.zw, middle - ray.s0, path.glow);
+        vec4 transmittance = ew_transmittance_cubic(middle, 0.5 * (to - from));
+        sum += dot(moments, transmittance);
+        first = mix(first, transmittance.x, panel == 0);
+        from = mix(to, stop, transmittance.x < EW_FOG_HIDDEN * first);
+        ++panel;
+    }
+    ew_evaluation_count += 2;
+    return sum;
+}
+#endif
+
 float ew_integrate_polyline(ew_segment segment, ew_path_block path, vec2 chord)
 {
     int count = int(path.pieces.y);
@@ -30,6 +68,29 @@ float ew_integrate_polyline(ew_segment segment, ew_path_block path, vec2 chord)
     bool is_end_ahead = planes.is_along;
     float sum = 0.0;
     int i = 0;
+#if defined(EW_WORLD) && defined(EW_FOG)
+    // The end of an open path counts as a start behind it, so that compilers put the integral into the shader once.
+    int node_count = count + int(!is_closed);
+    do {
+        bool is_end = i == count;
+        int piece = min(i, count - 1);
+        slab = ew_make_slab(segment, ew_piece_unit(path, 2.0, piece, 0), ew_piece_unit(path, 2.0, piece, 1));
+        planes = ew_find_planes(slab, chord);
+        ew_node node = ew_make_joint(end, is_end_ahead, planes.start, !planes.is_along, chord);
+        if (i == 0 && !is_closed) node = ew_make_end(planes.start, !planes.is_along, chord);
+        if (is_end) node = ew_make_end(end, is_end_ahead, chord);
+        vec3 position = mix(slab.start, slab.end, bvec3(is_end));
+        float weight = ew_path_weight(path, mix(slab.t.x, slab.t.y, is_end));
+        bool has_line = !is_end;
+#ifdef EW_WEIGHTS
+        if (has_line && path.weights.y > 0.0) sum += ew_integrate_line_of_piece(segment, slab, path, planes);
+        has_line = has_line && path.weights.y == 0.0;
+#endif
+        sum += ew_integrate_piece_in_fog(segment, slab, path, planes, has_line, position, node, weight);
+        end = planes.end;
+        is_end_ahead = planes.is_along;
+    } while (++i < node_count && i <= EW_MAX_PATH_PIECES);
+#else
     do {
         slab = ew_make_slab(segment, ew_piece_unit(path, 2.0, i, 0), ew_piece_unit(path, 2.0, i, 1));
         planes = ew_find_planes(slab, chord);
@@ -44,6 +105,7 @@ float ew_integrate_polyline(ew_segment segment, ew_path_block path, vec2 chord)
     if (!is_closed)
         sum += ew_path_weight(path, slab.t.y) *
                ew_integrate_node(segment, slab.end, ew_make_end(end, is_end_ahead, chord), path.glow);
+#endif
     return sum;
 }
 #endif

@@ -5,7 +5,23 @@
 const vec4 EW_PATH_NODES = vec4(0.06943184, 0.33000948, 0.66999052, 0.93056816);
 const vec4 EW_PATH_NODE_WEIGHTS = vec4(0.17392742, 0.32607258, 0.32607258, 0.17392742);
 
-#ifndef EW_WORLD
+#ifdef EW_FOG
+// The same as ew_integrate_slab for a part of the piece on which the weight is one polynomial of the place along it.
+float ew_integrate_weighted_part(ew_segment segment, ew_slab slab, vec2 part, vec3 weight_by_t, vec4 glow)
+{
+    float b2, k, s0;
+    ew_find_line(segment, slab, glow, part, b2, k, s0);
+    // The weight by the way from the middle of the part.
+    float middle = 0.5 * (part.x + part.y);
+    float scale = (slab.t.y - slab.t.x) / max(slab.size, 1e-30);
+    float base = slab.t.x + scale * (slab.along + middle * slab.growth);
+    float slope = scale * slab.growth;
+    vec4 weight = vec4(weight_by_t.x + base * (weight_by_t.y + base * weight_by_t.z),
+                       slope * (weight_by_t.y + 2.0 * base * weight_by_t.z), slope * slope * weight_by_t.z, middle);
+    ew_evaluation_count += 1;
+    return part.x < part.y ? ew_integrate_in_fog(b2, k, s0, part, s0 + ew_core_of(b2, k, s0, glow), weight, glow) : 0.0;
+}
+#elif !defined(EW_WORLD)
 // More panels than any part takes: they grow by factors.
 const int EW_MAX_PATH_PANELS = 64;
 

@@ -166,6 +166,21 @@ float ew_width_to_edge(ew_stretch stretch, ew_progress progress)
 }
 #endif
 
+#ifdef EW_FOG
+// The longest panel, in x, for the fog.
+float ew_longest_rest(ew_stretch stretch, ew_progress progress)
+{
+    bool is_near = progress.remaining >= 0.0;
+#ifdef EW_WORLD
+    return ew_longest_fog_panel(stretch.center - progress.x, mix(1.0, -1.0, is_near), 0.5 * EW_FOG_PANEL);
+#else
+    float depth = stretch.depth / (1.0 + stretch.depth * progress.x);
+    float way = ew_longest_fog_panel(depth - ew_beta(), mix(1.0, -1.0, is_near), 0.5 * EW_FOG_PANEL);
+    return way / (depth * mix(depth + way, max(depth - way, 1e-3 * depth), is_near));
+#endif
+}
+#endif
+
 // The step control: goes on behind a panel that `is_fine`, or back to a shorter one.
 ew_progress ew_advance(ew_stretch stretch, ew_progress progress, float width, bool is_at_knot, bool is_fine, bool is_last_try)
 {
@@ -205,6 +220,10 @@ float ew_integrate_rest(ew_arc arc, ew_passage passage, float from, float to, fl
     for (int panel = 0; panel < EW_MAX_PANELS; ++panel) {
         bool is_last_try = panel >= EW_MAX_PANELS - EW_LAST_TRIES;
         float to_knot = ew_width_to_knot(arc, stretch, progress);
+#ifdef EW_FOG
+        float longest = mix(ew_longest_rest(stretch, progress), abs(progress.proposal), is_last_try);
+        progress.proposal = clamp(progress.proposal, -longest, longest);
+#endif
         bool has_knot = ew_has_knot(progress.piece, progress.last_piece) && !is_last_try;
         bool is_at_knot = has_knot && abs(to_knot) <= abs(progress.proposal);
         float width = mix(progress.proposal, to_knot, is_at_knot);
@@ -218,9 +237,15 @@ float ew_integrate_rest(ew_arc arc, ew_passage passage, float from, float to, fl
         ew_rule rule = ew_choose_rule(progress.starts_at_zero);
         vec4 x = progress.x + width * rule.nodes;
 #ifdef EW_WORLD
-        ew_rest rest = ew_rest_at(arc, passage, -x, progress.piece);
+        vec4 s = -x;
 #else
-        ew_rest rest = ew_rest_at(arc, passage, -stretch.depth2 * x / (1.0 + stretch.depth * x), progress.piece);
+        vec4 s = -stretch.depth2 * x / (1.0 + stretch.depth * x);
+#endif
+        ew_rest rest = ew_rest_at(arc, passage, s, progress.piece);
+#ifdef EW_FOG
+        vec4 transmittance = ew_transmittance(stretch.center + s);
+        rest.values *= transmittance;
+        rest.curvature *= max(max(transmittance.x, transmittance.y), max(transmittance.z, transmittance.w));
 #endif
         float error = (abs(dot(rest.values, rule.differences)) + rule.curvature_share * rest.curvature) * abs(width);
         // Panels shorter than the digits of s would only add up noise.

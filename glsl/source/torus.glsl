@@ -1,7 +1,11 @@
 // Tori.
 
-// More panels than any ray takes: they grow by factors.
+// More panels than any ray takes: they grow by factors, or are an optical depth of fog.
+#ifdef EW_FOG
+const int EW_MAX_TORUS_PANELS = 120;
+#else
 const int EW_MAX_TORUS_PANELS = 40;
+#endif
 
 // direction2 times the integral over both sides of what is not in the cores, from the cut outwards: the near side first, if
 // there is one, then the far side. Panels are no longer than a multiple of the distance from what is singular around them.
@@ -28,6 +32,9 @@ float ew_integrate_torus_panels(ew_torus_side near, vec2 near_core, ew_torus_sid
 #else
         float size = min(longest * clearance, depth * (is_near ? longest / (4.0 + longest) : 0.5 * longest));
 #endif
+#ifdef EW_FOG
+        size = min(size, ew_longest_fog_panel(ew_s_on_side(side, from), side.depth_slope, 0.5 * EW_FOG_PANEL));
+#endif
         bool reaches_stop = size >= remaining;
         size = reaches_stop ? remaining : size;
         float light = ew_integrate_torus_panel(side, from, max(size, 1e-12), 1.5 * clearance);
@@ -48,6 +55,16 @@ float ew_integrate_torus_panels(ew_torus_side near, vec2 near_core, ew_torus_sid
     return sum;
 }
 
+#ifdef EW_FOG
+// The integral over a core, less 1 / R.
+float ew_integrate_torus_core_in_fog(ew_torus_side side, vec2 core)
+{
+    vec2 s = vec2(ew_s_on_side(side, core.x), ew_s_on_side(side, core.y));
+    s = vec2(min(s.x, s.y), max(s.x, s.y));
+    return s.x < s.y ? ew_integrate_in_fog(1.0, 1.0, s.x, s, s, vec4(1.0, 0.0, 0.0, 0.0), side.glow) : 0.0;
+}
+#endif
+
 #ifdef EW_REACH
 // The integral over a part of 1 / max(r', distance) - 1 / R, where that is positive.
 float ew_integrate_torus_part(ew_torus_ray ray, ew_torus_zeros zeros, ew_torus_part part, vec4 glow)
@@ -65,6 +82,9 @@ float ew_integrate_torus_part(ew_torus_ray ray, ew_torus_zeros zeros, ew_torus_p
         ew_torus_side none = part.side;
         none.end = 0.0;
         sum = ew_integrate_torus_panels(none, vec2(0.0), part.side, core) / ray.direction2;
+#ifdef EW_FOG
+        sum += ew_integrate_torus_core_in_fog(part.side, core);
+#else
 #if defined(EW_WORLD) && defined(EW_CORE_PIXELS)
         vec2 radii = sqrt(vec2(ew_level_at(core2, core.x), ew_level_at(core2, core.y)));
         sum += ew_integrate_core(radii, core.y - core.x);
@@ -72,6 +92,7 @@ float ew_integrate_torus_part(ew_torus_ray ray, ew_torus_zeros zeros, ew_torus_p
         sum += ew_integrate_torus_core(part.side, core, radius);
 #endif
         sum -= ew_integrate_torus_core(part.side, lit, reach);
+#endif
     }
     return sum;
 }
@@ -131,7 +152,11 @@ float ew_integrate(ew_segment segment, ew_torus_block torus, vec2 chord, float o
     float near_guess = ew_guess_torus_edge(ray, zeros, radius, near_epsilon);
     vec2 far_core = ew_torus_core(far, distance2_at_cut, far_guess, ew_square(far_epsilon));
     vec2 near_core = ew_torus_core(near, distance2_at_cut, near_guess, ew_square(near_epsilon));
+#ifdef EW_FOG
+    float cores = ew_integrate_torus_core_in_fog(far, far_core) + ew_integrate_torus_core_in_fog(near, near_core);
+#else
     float cores = ew_integrate_torus_core(far, far_core, far_epsilon) + ew_integrate_torus_core(near, near_core, near_epsilon);
+#endif
     float sum = cores + ew_integrate_torus_panels(near, near_core, far, far_core) / ray.direction2;
     return sum;
 }

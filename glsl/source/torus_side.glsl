@@ -97,6 +97,7 @@ struct ew_torus_side {
     float depth_slope; // 1: away from the eye, -1: towards it
     float begin;       // 0 without a reach
     float end;
+    float center; // s of the cut
     vec4 glow;
     vec2 own_zero;     // where the distance vanishes: on this side of the cut if it vanishes on any
     vec2 other_zero;
@@ -118,6 +119,7 @@ ew_torus_side ew_make_torus_side(ew_torus_ray ray, float radius, vec4 glow, floa
     side.depth_slope = depth_slope;
     side.begin = 0.0;
     side.end = end;
+    side.center = ray.center;
     side.glow = glow;
     // At a zero of the distance, and not of `farthest`, the real part of radius + i height is positive.
     bool is_ahead = radius >= ray.height_slope * ahead.y;

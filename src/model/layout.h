@@ -21,6 +21,7 @@ struct ew_uniform_head {
     struct ew_frame_block frame;
     int source_counts[4 * EW_COUNT_VECTORS]; /* by kind */
     struct ew_grid_block grid;
+    struct ew_fog_block fog;
 };
 
 #endif

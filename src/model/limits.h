@@ -16,5 +16,6 @@
 #define EW_MAX_CORE_PIXELS 64.0
 #define EW_MAX_LIGHT_GAIN 1e6
 #define EW_MAX_EXPOSURE 1e6
+#define EW_MAX_EXTINCTION 1e12
 
 #endif

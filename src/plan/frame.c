@@ -4,6 +4,7 @@
 #include "base/error.h"
 #include "model/limits.h"
 #include "model/rays.h"
+#include "model/vector.h"
 
 #include <math.h>
 
@@ -82,6 +83,31 @@ static ew_result check_look(const ew_frame_desc *frame, ew_error *error)
     return EW_OK;
 }
 
+bool ew_has_fog(const ew_frame_desc *frame)
+{
+    return frame->fog.extinction > 0;
+}
+
+bool ew_has_height_fog(const ew_frame_desc *frame)
+{
+    return ew_has_fog(frame) && frame->fog.scale > 0;
+}
+
+static ew_result check_fog(const ew_frame_desc *frame, ew_error *error)
+{
+    const ew_fog *fog = &frame->fog;
+    double unit[3];
+    if (!(fog->extinction >= 0 && fog->extinction <= EW_MAX_EXTINCTION))
+        return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "fog.extinction must be in [0, %g]", EW_MAX_EXTINCTION);
+    if (!(fog->scale >= 0 && isfinite(fog->scale)))
+        return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "fog.scale must be finite and >= 0");
+    if (!isfinite(fog->base)) return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "fog.base must be finite");
+    if (!ew_all_finite(fog->up, 3)) return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "fog.up must be finite");
+    if (ew_has_height_fog(frame) && !ew_normalize(fog->up, unit))
+        return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "fog.up must not be zero");
+    return EW_OK;
+}
+
 ew_frame_desc ew_settle_frame(const ew_frame_desc *frame, bool is_upside_down)
 {
     ew_frame_desc settled = *frame;
@@ -100,6 +126,7 @@ ew_result ew_check_integral(const ew_frame_desc *frame, ew_error *error)
     if (result == EW_OK && !ew_is_world_frame(frame)) result = ew_check_interval(&interval, &view, error);
     if (result == EW_OK) result = check_decay(frame, error);
     if (result == EW_OK) result = check_look(frame, error);
+    if (result == EW_OK) result = check_fog(frame, error);
     return result == EW_OK ? check_integrator(frame, error) : result;
 }
 

@@ -15,11 +15,15 @@ bool ew_draws_surfaces(const ew_frame_desc *frame);
 /* The frame's core_pixels, or the default of its integral. */
 double ew_core_pixels_of(const ew_frame_desc *frame);
 
+/* Whether there is fog, and whether it changes with height. */
+bool ew_has_fog(const ew_frame_desc *frame);
+bool ew_has_height_fog(const ew_frame_desc *frame);
+
 /* The frame with what the host leaves to us: its view is the rotation next to it, and its projection is turned over if NDC's y
  * points down in the target. A frame that ew_check_integral refuses is refused as before. */
 ew_frame_desc ew_settle_frame(const ew_frame_desc *frame, bool is_upside_down);
 
-/* Checks what the integral depends on: view, interval, decay and integrator. */
+/* Checks what the integral depends on: view, interval, decay, fog and integrator. */
 ew_result ew_check_integral(const ew_frame_desc *frame, ew_error *error);
 
 /* Checks where and how the light is drawn: viewport, output, encoding, dither, depth and restoration. */

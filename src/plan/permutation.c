@@ -45,6 +45,8 @@ static unsigned field_of(const ew_mix *mix, const ew_frame_desc *frame)
     if (mix->has_reach) key |= EW_PERMUTATION_REACH;
     if (mix->has_sharpness) key |= EW_PERMUTATION_SHARPNESS | EW_PERMUTATION_REACH;
     if (ew_core_pixels_of(frame) > 0) key |= EW_PERMUTATION_CORE_PIXELS;
+    if (ew_has_fog(frame)) key |= EW_PERMUTATION_FOG;
+    if (ew_has_height_fog(frame)) key |= EW_PERMUTATION_FOG_HEIGHT;
     return key;
 }
 

@@ -28,7 +28,9 @@ enum {
     EW_PERMUTATION_IRRADIANCE = 1 << 17, /* the light on surfaces */
     EW_PERMUTATION_SHADOWS = 1 << 18,    /* with EW_PERMUTATION_IRRADIANCE, of the pass of surfaces */
     EW_PERMUTATION_NORMALS = 1 << 19,    /* likewise */
-    EW_PERMUTATION_FLAG_COUNT = 20,
+    EW_PERMUTATION_FOG = 1 << 20,
+    EW_PERMUTATION_FOG_HEIGHT = 1 << 21, /* with EW_PERMUTATION_FOG */
+    EW_PERMUTATION_FLAG_COUNT = 22,
 };
 
 /* Above the flags stand the counts of sources by kind, each in a field of EW_PERMUTATION_COUNT_BITS: 0 and 1 stand for

@@ -103,6 +103,27 @@ static void pack_light(const ew_frame_desc *frame, const ew_packing *packing, st
     block->core_floor.w = (float)(frame->shadow_thickness / packing->space.length);
 }
 
+/* What no product in the shader overflows with; e to such powers is 0 or means that nothing is seen. */
+static double clamp_exponent(double x)
+{
+    return fmax(-1e12, fmin(1e12, x));
+}
+
+static void pack_fog(const ew_fog *fog, const ew_view *view, const ew_ray_space *space, struct ew_fog_block *block)
+{
+    block->density.x = (float)(fog->extinction * space->length);
+    block->density.y = (float)((ew_first_depth(view) - space->start) / space->length);
+    double up[3], unit[3], growth[3];
+    if (fog->scale == 0 || !ew_normalize(fog->up, unit)) return;
+    ew_ray_space_turn(space, unit, up);
+    double at_anchor = -up[2] * space->start;
+    for (int i = 0; i < 3; ++i) {
+        growth[i] = clamp_exponent(up[i] * space->length / fog->scale);
+        at_anchor -= up[i] * ew_element(view->view, i, 3);
+    }
+    block->height = ew_pack(growth, clamp_exponent((at_anchor - fog->base) / fog->scale));
+}
+
 /* Fills the plan's uniforms for a checked frame, but for what depends on the viewport. */
 static ew_result pack(ew_plan *plan, ew_sources *sources, const ew_frame_desc *frame, const ew_lit_space *space,
                       ew_error *error)
@@ -118,6 +139,7 @@ static ew_result pack(ew_plan *plan, ew_sources *sources, const ew_frame_desc *f
 
     struct ew_frame_block *block = &plan->uniforms.frame;
     ew_pack_ray_space(&packing.space, block);
+    pack_fog(&frame->fog, &view, &packing.space, &plan->uniforms.fog);
     block->decay =
         (ew_vec4){(float)frame->decay_beta, (float)(sources->epsilon / packing.space.length),
                   (float)panel_tolerance(frame->quality), (float)((interval->end - interval->start) / packing.space.length)};

@@ -79,6 +79,7 @@ static size_t source_varyings(const ew_dialect *dialect, unsigned key)
         units += ew_permutation_count(key, kind) * units_of(kind, key);
     }
     size_t head = sizeof(struct ew_frame_block) / sizeof(ew_vec4);
+    if (key & EW_PERMUTATION_FOG) head += sizeof(struct ew_fog_block) / sizeof(ew_vec4);
     return head + units <= (size_t)dialect->max_varying_vectors ? units : 0;
 }
 
@@ -88,7 +89,7 @@ static void add_defines(ew_shader_text *text, const ew_dialect *dialect, unsigne
         "WEIGHTS", "DEPTH",       "SIMPSON", "LUMINANCE", "EVALUATIONS",    "DEPTH_MULTISAMPLE",
         "DITHER",  "DITHER_SRGB", "WORLD",   "REACH",     "CORE_PIXELS",    "SHARPNESS",
         "SOFT",    "JOINTS",      "BENDS",   "LISTS",     "SOURCE_TEXTURE", "IRRADIANCE",
-        "SHADOWS", "NORMALS"};
+        "SHADOWS", "NORMALS",     "FOG",     "FOG_HEIGHT"};
     add_made(text, "#define EW_SOURCE_DATA_SIZE %zu\n", dialect->capacity);
     if (key & EW_PERMUTATION_LISTS) add_made(text, "#define EW_LIST_SIZE %zu\n", dialect->list_size);
     for (int i = 0; i < EW_PERMUTATION_FLAG_COUNT; ++i)
@@ -193,9 +194,13 @@ static const char *const nothing_before[] = {NULL};
 static const ew_integrator_text *integrator_of(unsigned key)
 {
     static const char *const adaptive_before[] = {ew_glsl_quadrature_glsl, NULL};
+    static const char *const fogged_before[] = {ew_glsl_product_rule_glsl, ew_glsl_fogged_glsl, ew_glsl_quadrature_glsl,
+                                                ew_glsl_fog_moments_glsl, NULL};
     static const ew_integrator_text adaptive = {adaptive_before, NULL, false};
+    static const ew_integrator_text fogged = {fogged_before, NULL, false};
     static const ew_integrator_text simpson = {nothing_before, ew_glsl_simpson_glsl, true};
-    return key & EW_PERMUTATION_SIMPSON ? &simpson : &adaptive;
+    if (key & EW_PERMUTATION_SIMPSON) return &simpson;
+    return key & EW_PERMUTATION_FOG ? &fogged : &adaptive;
 }
 
 /* What the light along rays and that on surfaces share. */
@@ -207,6 +212,7 @@ static void add_sources(ew_shader_text *text, unsigned key, bool has_grid)
     add_readers(text, key);
     add_file(text, ew_glsl_segment_glsl);
     add_file(text, ew_glsl_core_glsl);
+    if (key & EW_PERMUTATION_FOG) add_file(text, ew_glsl_fog_glsl);
     add_file(text, ew_glsl_components_glsl);
     if (key & EW_PERMUTATION_WEIGHTS) add_file(text, ew_glsl_weight_glsl);
     if (key & EW_PERMUTATION_LISTS) add_file(text, ew_glsl_list_glsl);

@@ -85,9 +85,19 @@ static int choose_kind(scene_maker *m)
     return kind;
 }
 
+static bool is_world_seed(uint64_t seed)
+{
+    return seed / RANDOM_WORLD_SEED % 2 == 1;
+}
+
+static bool is_fog_seed(uint64_t seed)
+{
+    return seed >= 2 * RANDOM_WORLD_SEED;
+}
+
 int random_scene_kind_of(uint64_t seed)
 {
-    scene_maker m = {.random = seed, .is_world = seed >= RANDOM_WORLD_SEED};
+    scene_maker m = {.random = seed, .is_world = is_world_seed(seed)};
     return choose_kind(&m);
 }
 
@@ -217,11 +227,26 @@ static void write_opaque(scene_maker *m)
     fprintf(m->file, "\"max\": [%.17g, %.17g, %.17g] } ]", max[0], max[1], max[2]);
 }
 
+static void write_fog(scene_maker *m)
+{
+    double depth = maker_chance(m, 0.8) ? maker_magnitude(m, 1e-2, 10) : maker_magnitude(m, 1e-6, 1e3);
+    fprintf(m->file, ",\n  \"fog\": { \"extinction\": %.17g", depth / m->distance);
+    if (maker_chance(m, 0.5)) {
+        double up[3], scale = m->distance * maker_magnitude(m, 1e-2, 10);
+        maker_direction(m, up);
+        double base = vector_dot(up, m->place) + scale * maker_between(m, -1, 1);
+        fputs(", \"height\": { ", m->file);
+        maker_write_vector(m, "up", up);
+        fprintf(m->file, "\"scale\": %.17g, \"base\": %.17g }", scale, base);
+    }
+    fputs(" }", m->file);
+}
+
 char *random_scene_text(uint64_t seed)
 {
     char *text = NULL;
     size_t size;
-    scene_maker m = {.random = seed, .is_world = seed >= RANDOM_WORLD_SEED, .file = open_memstream(&text, &size)};
+    scene_maker m = {.random = seed, .is_world = is_world_seed(seed), .file = open_memstream(&text, &size)};
     if (!m.file) return NULL;
     int kind = choose_kind(&m);
     m.distance = maker_magnitude(&m, 1e-3, 1e5);
@@ -236,6 +261,7 @@ char *random_scene_text(uint64_t seed)
         write_world_depths(&m);
     else
         write_depths(&m);
+    if (is_fog_seed(seed)) write_fog(&m);
     write_sources(&m, kind);
     if (maker_chance(&m, 0.5)) write_opaque(&m);
     fputs("\n}\n", m.file);

@@ -9,7 +9,8 @@
 
 #include <stdint.h>
 
-/* Seeds from this one on are of scenes of the world integral. */
+/* Seeds from this one on are of scenes of the world integral; from twice of it on, of the papers' in fog; from three times of it
+ * on, of the world's in fog. */
 #define RANDOM_WORLD_SEED 1000000000000u
 
 /* What a scene consists of, in either integral: a single source of one of the kinds, in their order, or a combination. */
@@ -35,7 +36,10 @@ int random_scene_kind_of(uint64_t seed);
  * scene has an opaque plane or box before, in or behind the core. One eye in twenty is within a core.
  *
  * In the world integral, sources have cores from 1e-6 D to 1e-1 D of their own or epsilon, reaches from 1.01 cores to 10 D, and
- * some of them sharpness; the far plane may be in the midst of the light. */
+ * some of them sharpness; the far plane may be in the midst of the light.
+ *
+ * Fog has 1e-6 to 1e3 optical depths from the eye to the place, most of it 0.01 to 10. Half of it changes with height, in any
+ * direction, by a factor of e in 1e-2 D to 10 D. */
 char *random_scene_text(uint64_t seed);
 
 #endif

@@ -1,6 +1,7 @@
 /* The truth about random scenes: see random_truth.h. */
 #include "random_truth.h"
 #include "reference_threads.h"
+#include "true_pixels.h"
 
 #include <math.h>
 #include <unistd.h>
@@ -43,14 +44,15 @@ static void compute_truth(reference_workspace *workspace, const scene_rays *rays
         pixel->truth = sum.luminance;
         largest = fmax(largest, pixel->truth);
     }
+    double floor = fmax(DARK * largest, rays->fog.extinction > 0 ? TRUTH_INVISIBLE : 0);
     picture->worst = &picture->pixels[0];
     for (int i = 0; i < RANDOM_PIXEL_COUNT; i++) {
         random_pixel *pixel = &picture->pixels[i];
-        pixel->error = luminance_error(pixel, DARK * largest);
+        pixel->error = luminance_error(pixel, floor);
         if (!pixel->reliable && isfinite(pixel->error)) pixel->error = 0;
         if (pixel->error > picture->worst->error) picture->worst = pixel;
     }
-    picture->sensitivity = truth_sensitivity(workspace, rays, picture->worst, DARK * largest);
+    picture->sensitivity = truth_sensitivity(workspace, rays, picture->worst, floor);
 }
 
 static bool compute_picture(void *user, reference_workspace *workspace, size_t index)

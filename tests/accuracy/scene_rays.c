@@ -20,6 +20,7 @@ bool scene_rays_create(const demo_scene *scene, int width, int height, scene_ray
         .decay_alpha = scene->decay_alpha,
         .decay_beta = scene->decay_beta,
         .core_pixels = scene->core_pixels,
+        .fog = scene->fog,
         .width = width,
         .height = height,
     };
@@ -71,6 +72,20 @@ static double least_core_at(const scene_rays *rays, double view_depth)
     return 0.5 * rays->core_pixels * pixel;
 }
 
+/* The fog begins at the eye or, of an orthographic camera, at the near plane: at the view depth `first`. */
+static reference_fog fog_of(const scene_rays *rays, const reference_ray *ray, double first, double start, double end)
+{
+    reference_fog fog = {.extinction = rays->fog.extinction, .begin = (first - start) / (end - start)};
+    fog.has_height = rays->fog.scale > 0;
+    if (!fog.has_height) return fog;
+    double up[3];
+    vector_normalize(rays->fog.up, up);
+    double of_eye = vector_dot(up, rays->camera.eye);
+    fog.height[0] = (of_eye + vector_dot(up, ray->start) - rays->fog.base) / rays->fog.scale;
+    fog.height[1] = (of_eye + vector_dot(up, ray->end) - rays->fog.base) / rays->fog.scale;
+    return fog;
+}
+
 /* A ray of the world integral begins at the eye or, of an orthographic camera, at the near plane, and its s is the view depth
  * from there on. */
 reference_ray scene_rays_ray(const scene_rays *rays, double x, double y, double opaque_depth)
@@ -91,6 +106,7 @@ reference_ray scene_rays_ray(const scene_rays *rays, double x, double y, double 
     };
     vector_add_scaled(origin, start, direction, ray.start);
     vector_add_scaled(origin, end, direction, ray.end);
+    ray.fog = fog_of(rays, &ray, rays->camera.orthographic ? rays->camera.near_depth : 0, start, end);
     return ray;
 }
 

@@ -19,6 +19,7 @@ typedef struct scene_rays {
     double interval_start, interval_end;
     double decay_alpha, decay_beta;
     double core_pixels;
+    ew_fog fog;
     int width, height;
     ew_sources_desc sources; /* relative to the eye */
     opaque_mesh mesh;        /* the scene's opaque triangles, relative to the eye */

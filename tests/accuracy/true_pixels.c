@@ -45,6 +45,7 @@ bool true_pixels_compute(const scene_rays *rays, const drawn_picture *picture, s
 {
     if (!choose_pixels(rays, picture, count, truth)) return false;
     truth->dark = TRUTH_DARK;
+    truth->darkest = rays->fog.extinction > 0 ? TRUTH_INVISIBLE : 0;
     if (compute_truth(rays, picture, threads, truth, 0)) return true;
     true_pixels_free(truth);
     return false;
@@ -68,7 +69,8 @@ double true_pixel_error(const true_pixels *truth, const drawn_picture *picture, 
     if (!isfinite(luminance)) return HUGE_VAL;
     double difference = fabs(luminance - pixel->luminance);
     /* A dark picture (no sources, or all of them behind walls) is right if it is dark. */
-    return difference == 0 ? 0 : difference / fmax(pixel->luminance, truth->dark * truth->largest);
+    double dark = fmax(truth->dark * truth->largest, truth->darkest);
+    return difference == 0 ? 0 : difference / fmax(pixel->luminance, dark);
 }
 
 /* Adds the neighbours of the pixels at which the picture is most wrong. */

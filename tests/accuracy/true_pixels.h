@@ -14,6 +14,8 @@
 #define TRUTH_DARK 1e-3
 /* The same at adaptive resolution. */
 #define TRUTH_DARK_INTERPOLATED 0.03
+/* Where fog hides even the brightest, this luminance, of which no target shows anything. */
+#define TRUTH_INVISIBLE 1e-6
 
 /* A pixel and what the reference says of it. */
 typedef struct true_pixel {
@@ -31,7 +33,8 @@ typedef struct true_pixels {
     unsigned char *chosen; /* for each of the picture's pixels, whether it is among them */
     size_t unreliable_count;
     double largest; /* luminance */
-    double dark;    /* the share of it that errors are relative to at the least */
+    double dark;    /* the share of it that errors are relative to at the least, */
+    double darkest; /* and a luminance */
 } true_pixels;
 
 /* Chooses about `count` pixels (0: all), always the same for the same picture: half of them spread evenly, one at random in

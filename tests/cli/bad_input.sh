@@ -145,6 +145,10 @@ refuses_world 'light\.reach' '"light": { "reach": 0 }'
 refuses_world 'light\.gain' '"light": { "gain": -1, "reach": 1 }'
 refuses_world 'light\.shadow_thickness' '"light": { "reach": 1, "shadow_thickness": -1 }'
 refuses_world 'light\.shadows' '"light": { "reach": 1, "shadows": true }'
+refuses_world 'fog\.extinction' '"fog": { "extinction": -1 }'
+refuses_world 'fog\.extinction' '"fog": { "height": { "scale": 1 } }'
+refuses_world 'fog\.height\.scale' '"fog": { "extinction": 1, "height": { "base": 0 } }'
+refuses_world 'fog\.height\.up' '"fog": { "extinction": 1, "height": { "scale": 1, "up": [0, 0, 0] } }'
 refuses_world 'points\[0\]\.reach' "\"points\": [{ $point }]"
 refuses_world 'points\[1\]\.reach' "\"points\": [{ $point, \"reach\": 1 }, { $point, \"brightness\": 1 }]"
 refuses_world 'points\[0\]\.reach' "\"points\": [{ $point, \"core\": 2, \"reach\": 2 }]"

@@ -79,6 +79,20 @@ static const shader_mix mixes[] = {
 };
 enum { MIX_COUNT = sizeof mixes / sizeof mixes[0] };
 
+/* Of every so many cases one is in fog. */
+static const shader_mix fog_mixes[] = {
+    {.count_of_each = 1, .weighted = true, .has_fog = true, .output = EW_OUTPUT_LUMINANCE},
+    {.count_of_each = 5,
+     .field = FIELD_WORLD,
+     .weighted = true,
+     .sharp = true,
+     .has_core_pixels = true,
+     .has_fog = true,
+     .output = EW_OUTPUT_SOFT,
+     .depth = DEPTH_TEXTURE},
+};
+enum { FOG_MIX_COUNT = sizeof fog_mixes / sizeof fog_mixes[0], FOG_INTERVAL = 8 };
+
 typedef struct fuzzer {
     const gl_functions *gl;
     ew_effect *effect;
@@ -364,6 +378,7 @@ static void run_case(fuzzer *f)
 {
     f->random = f->number;
     const shader_mix *mix = &mixes[random_index(&f->random, MIX_COUNT)];
+    if (f->number % FOG_INTERVAL == 0) mix = &fog_mixes[f->number / FOG_INTERVAL % FOG_MIX_COUNT];
     bool extreme = random_index(&f->random, 2) == 0;
     random_desc desc = {.sources = {0}};
     fill_target(f);

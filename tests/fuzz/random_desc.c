@@ -137,6 +137,18 @@ static void random_surface_light(const random_place *at, bool has_shadows, ew_fr
     if (has_shadows) frame->shadow_thickness = frame->light_reach * random_power_of_ten(random, -2, 0);
 }
 
+static void random_fog(const random_place *at, ew_fog *fog)
+{
+    uint64_t *random = at->random;
+    double length = at->end - at->start;
+    fog->extinction = at->extreme ? random_power_of_ten(random, -9, 12) : random_power_of_ten(random, -2, 1) / length;
+    if (random_chance(random, 0.5)) return;
+    fog->scale = length * (at->extreme ? random_power_of_ten(random, -9, 9) : random_power_of_ten(random, -1, 1));
+    fog->base = at->eye[1] + length * random_between(random, -1, 1);
+    for (int i = 0; i < 3; i++)
+        fog->up[i] = random_between(random, -1, 1);
+}
+
 bool random_desc_make(random_desc *desc, const shader_mix *mix, bool extreme, int width, int height, uint64_t *random)
 {
     random_place at = {.random = random, .extreme = extreme};
@@ -155,6 +167,7 @@ bool random_desc_make(random_desc *desc, const shader_mix *mix, bool extreme, in
     frame->core_pixels = !mix->has_core_pixels ? 0 : extreme ? random_between(random, 1e-3, 64) : 1.5;
     frame->exposure = extreme ? random_power_of_ten(random, -6, 6) : 1;
     if (mix->lights_surfaces) random_surface_light(&at, mix->has_shadows, frame);
+    if (mix->has_fog) random_fog(&at, &frame->fog);
     frame->integrator = mix->integrator;
     frame->quality = (ew_quality)random_index(random, 3);
     frame->simpson_divisions = 2 * (int)random_power_of_ten(random, 0, 2);

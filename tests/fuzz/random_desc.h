@@ -25,6 +25,7 @@ typedef struct shader_mix {
     bool has_core_pixels;
     bool lights_surfaces;
     bool has_shadows;
+    bool has_fog;
     ew_integrator integrator;
     ew_output output;
     target_depth depth;

@@ -58,7 +58,11 @@ static size_t frame_runs(random_desc *desc, number_run runs[MAX_RUNS])
     runs[8] = (number_run){&frame->light_gain, 1};
     runs[9] = (number_run){&frame->light_reach, 1};
     runs[10] = (number_run){&frame->shadow_thickness, 1};
-    return 11;
+    runs[11] = (number_run){&frame->fog.extinction, 1};
+    runs[12] = (number_run){frame->fog.up, 3};
+    runs[13] = (number_run){&frame->fog.base, 1};
+    runs[14] = (number_run){&frame->fog.scale, 1};
+    return 15;
 }
 
 static void spoil_one(const number_run *runs, size_t count, uint64_t *random)

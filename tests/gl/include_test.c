@@ -311,6 +311,31 @@ static void a_hosts_shader_has_the_world_light_of_ew_draw(void **state)
     ew_destroy_effect(effect);
 }
 
+/* Even fog and fog by height, in the world integral and in the papers'. */
+static void a_hosts_shader_has_the_fog_of_ew_draw(void **state)
+{
+    (void)state;
+    ew_effect *effect = create_effect();
+    for (int i = 0; i < 4; i++) {
+        ew_frame_desc frame = i < 2 ? make_world_frame(EW_OUTPUT_ADD) : make_turned_frame(EW_OUTPUT_ADD);
+        frame.fog = (ew_fog){.extinction = 0.3, .up = {0, 2, 0}, .base = far_away[1]};
+        if (i % 2 == 1) frame.fog.scale = 2;
+        set_world_field(effect);
+        const char *main_text = i < 2 ? "void main() { color = ew_light(vec3(0.0), direction, 1e30); }\n"
+                                      : "void main() { color = ew_light(vec3(0.0), direction, vec2(2.0, 10.0), 1e30); }\n";
+        GLuint program = build_for_frame(effect, NULL, &frame, main_text);
+        picture drawn, expected, clear;
+        host_draw(program, effect, &frame, &drawn);
+        gl.DeleteProgram(program);
+        draw_expected(effect, &frame, &expected);
+        expect_same_world(&drawn, &expected, 3);
+        frame.fog.extinction = 0;
+        draw_expected(effect, &frame, &clear);
+        assert_true(picture_difference(&expected, &clear) > 0.3);
+    }
+    ew_destroy_effect(effect);
+}
+
 /* With distances along unit vectors, from elsewhere on the ray, and in two parts. */
 static void world_rays_may_start_anywhere_and_be_of_any_length(void **state)
 {
@@ -455,6 +480,7 @@ int main(int argc, char **argv)
         cmocka_unit_test(a_general_hosts_shader_has_the_coloured_light_of_ew_draw),
         cmocka_unit_test(rays_may_start_anywhere_and_end_at_what_is_opaque),
         cmocka_unit_test(a_hosts_shader_has_the_world_light_of_ew_draw),
+        cmocka_unit_test(a_hosts_shader_has_the_fog_of_ew_draw),
         cmocka_unit_test(world_rays_may_start_anywhere_and_be_of_any_length),
         cmocka_unit_test(the_buffer_keeps_its_name_and_the_host_its_binding),
         cmocka_unit_test(bad_arguments_are_errors_that_change_nothing),

@@ -208,6 +208,26 @@ static void write_passes(const shader_profile *profile)
             }
 }
 
+/* The kinds one by one and all at once, with and without all that they may have, in both kinds of fog. */
+static void write_fogs(const shader_profile *profile)
+{
+    static const unsigned fogs[] = {EW_PERMUTATION_FOG, EW_PERMUTATION_FOG | EW_PERMUTATION_FOG_HEIGHT};
+    for (int fog = 0; fog < 2; ++fog)
+        for (int field = 0; field < FIELD_COUNT; ++field) {
+            unsigned plain = fogs[fog] | fields[field];
+            unsigned general = plain | EW_PERMUTATION_WEIGHTS | EW_PERMUTATION_JOINTS | EW_PERMUTATION_CORE_PIXELS;
+            for (int kind = 0; kind < EW_KIND_COUNT; ++kind) {
+                write_permutation(profile, with_kinds(plain, 1u << kind, 1));
+                write_permutation(profile, with_kinds(general, 1u << kind, 1));
+            }
+            general |= EW_PERMUTATION_BENDS;
+            unsigned with_lists = ew_permutation_with_lists(with_kinds(general, all_kinds, EW_ANY_COUNT));
+            write_permutation(profile, with_lists);
+            write_grid_passes(profile, with_lists);
+            write_permutation(profile, with_kinds(general | EW_PERMUTATION_SIMPSON, all_kinds, 1));
+        }
+}
+
 /* ---- The text for hosts ---- */
 
 /* As the only thing in a shader that uses it. */
@@ -250,6 +270,8 @@ static void write_includes(const shader_profile *profile)
             }
             for (unsigned lit = 0; lit <= EW_PERMUTATION_IRRADIANCE; lit += EW_PERMUTATION_IRRADIANCE)
                 write_include(profile, with_kinds(flags | extras | lit, all_kinds, EW_ANY_COUNT));
+            const unsigned fog = EW_PERMUTATION_FOG | EW_PERMUTATION_FOG_HEIGHT;
+            write_include(profile, with_kinds(flags | extras | fog, all_kinds, EW_ANY_COUNT));
         }
 }
 
@@ -273,6 +295,7 @@ int main(int argc, char **argv)
         write_all_integrals(&profiles[i]);
         write_passes(&profiles[i]);
         write_surfaces(&profiles[i]);
+        write_fogs(&profiles[i]);
         if (profiles[i].include_version) write_includes(&profiles[i]);
     }
     return EXIT_SUCCESS;

@@ -49,6 +49,8 @@ static void the_defaults_are_those_of_their_members(void **state)
     assert_true(frame.decay_alpha == 1 && frame.decay_beta == 1 && frame.exposure == 1);
     assert_true(frame.core_pixels == EW_CORE_PIXELS_DEFAULT);
     assert_true(frame.light_gain == 1 && frame.light_reach == 0 && frame.shadow_thickness == 0);
+    assert_true(frame.fog.extinction == 0 && frame.fog.base == 0 && frame.fog.scale == 0);
+    assert_true(frame.fog.up[0] == 0 && frame.fog.up[1] == 1 && frame.fog.up[2] == 0);
     assert_int_equal(frame.integrator, EW_INTEGRATOR_ADAPTIVE);
     assert_int_equal(frame.quality, EW_QUALITY_ERROR_1E_3);
     assert_int_equal(frame.simpson_divisions, 200);
@@ -107,6 +109,10 @@ static void every_number_that_is_not_finite_is_refused_by_name(void **state)
         {&frame.light_gain, "light_gain"},
         {&frame.light_reach, "light_reach"},
         {&frame.shadow_thickness, "shadow_thickness"},
+        {&frame.fog.extinction, "fog.extinction"},
+        {&frame.fog.up[1], "fog.up"},
+        {&frame.fog.base, "fog.base"},
+        {&frame.fog.scale, "fog.scale"},
     };
     const double bad[] = {(double)NAN, (double)INFINITY, -(double)INFINITY};
     for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; ++i) {
@@ -416,6 +422,35 @@ static void surfaces_without_depth_or_reach_are_refused(void **state)
     expect_taken(&frame);
 }
 
+static void fog_out_of_range_is_refused(void **state)
+{
+    (void)state;
+    ew_frame_desc frame = good_frame();
+    frame.fog.extinction = -1e-300;
+    expect_refused(&frame, "fog.extinction");
+    frame.fog.extinction = 1.1e12;
+    expect_refused(&frame, "fog.extinction");
+    frame.fog.extinction = 1e12;
+    expect_taken(&frame);
+    frame.fog.scale = -1;
+    expect_refused(&frame, "fog.scale");
+    frame.fog.scale = 1;
+    expect_taken(&frame);
+}
+
+/* Without a height there is no direction up. */
+static void fog_by_height_needs_a_direction_up(void **state)
+{
+    (void)state;
+    ew_frame_desc frame = good_frame();
+    frame.fog = (ew_fog){.extinction = 1};
+    expect_taken(&frame);
+    frame.fog.scale = 2;
+    expect_refused(&frame, "fog.up");
+    frame.fog.up[2] = -3;
+    expect_taken(&frame);
+}
+
 static void numbers_of_divisions_that_simpson_cannot_take_are_refused(void **state)
 {
     (void)state;
@@ -508,6 +543,8 @@ int main(void)
         cmocka_unit_test(exposure_out_of_range_is_refused),
         cmocka_unit_test(light_on_surfaces_out_of_range_is_refused),
         cmocka_unit_test(surfaces_without_depth_or_reach_are_refused),
+        cmocka_unit_test(fog_out_of_range_is_refused),
+        cmocka_unit_test(fog_by_height_needs_a_direction_up),
         cmocka_unit_test(numbers_of_divisions_that_simpson_cannot_take_are_refused),
         cmocka_unit_test(values_outside_an_enumeration_are_refused),
         cmocka_unit_test(a_viewport_without_pixels_is_refused),

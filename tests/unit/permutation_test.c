@@ -95,6 +95,25 @@ static void the_world_integral_has_reaches_and_cores_as_wide_as_pixels(void **st
     assert_true(ew_permutation_of(&point, &frame) & EW_PERMUTATION_CORE_PIXELS);
 }
 
+static void fog_counts_only_where_there_is_some(void **state)
+{
+    (void)state;
+    const ew_mix point = {.point_count = 1};
+    const unsigned fogs = EW_PERMUTATION_FOG | EW_PERMUTATION_FOG_HEIGHT;
+    ew_frame_desc frame = defaults;
+    frame.fog.scale = 3;
+    unsigned clear = ew_permutation_of(&point, &frame);
+    assert_int_equal(clear & fogs, 0);
+    frame.fog.extinction = 0.1;
+    unsigned by_height = ew_permutation_of(&point, &frame);
+    assert_int_equal(by_height & fogs, fogs);
+    frame.fog.scale = 0;
+    unsigned even = ew_permutation_of(&point, &frame);
+    assert_int_equal(even & fogs, EW_PERMUTATION_FOG);
+    assert_false(ew_permutation_covers(even, clear) || ew_permutation_covers(clear, even));
+    assert_false(ew_permutation_covers(even, by_height) || ew_permutation_covers(by_height, even));
+}
+
 static void bends_count_only_where_there_are_paths(void **state)
 {
     (void)state;
@@ -128,6 +147,7 @@ int main(void)
         cmocka_unit_test(a_general_shader_covers_what_it_is_general_for),
         cmocka_unit_test(with_reaches_the_same_shader_draws_any_count),
         cmocka_unit_test(the_world_integral_has_reaches_and_cores_as_wide_as_pixels),
+        cmocka_unit_test(fog_counts_only_where_there_is_some),
         cmocka_unit_test(bends_count_only_where_there_are_paths),
         cmocka_unit_test(shaders_with_and_without_reaches_do_not_cover_each_other),
     };

@@ -20,6 +20,7 @@ static const char full_scene[] =
     " \"near\": 0.5, \"far\": 50 },\n"
     "  \"interval\": { \"start\": 3, \"end\": 15 }, \"decay\": { \"alpha\": 2, \"beta\": 0.5 }, \"epsilon\": 0.01,\n"
     "  \"core_pixels\": 2, \"exposure\": 3, \"light\": { \"gain\": 20, \"reach\": 8, \"shadow_thickness\": 0.5 },\n"
+    "  \"fog\": { \"extinction\": 0.3, \"height\": { \"base\": -1, \"scale\": 4, \"up\": [0, 0, 2] } },\n"
     "  \"background\": [0.1, 0.2, 0.3], \"color\": [0.4, 0.5, 0.6], \"composite\": \"add\",\n"
     "  \"points\": [{ \"name\": \"orb\", \"position\": [100000.0000001, 2, 3], \"coefficient\": 4, \"color\": [5, 6, 7] }],\n"
     "  \"lines\": [{ \"position\": [1, 2, 3], \"direction\": [0, 0, 5], \"core\": 0.02 }],\n"
@@ -64,6 +65,10 @@ static void check_settings(const demo_scene *s)
     check_close(s->light_gain, 20, 0);
     check_close(s->light_reach, 8, 0);
     check_close(s->shadow_thickness, 0.5, 0);
+    check_close(s->fog.extinction, 0.3, 0);
+    check_close(s->fog.base, -1, 0);
+    check_close(s->fog.scale, 4, 0);
+    check_numbers(s->fog.up, (double[]){0, 0, 2}, 3);
     check_close(s->sources.epsilon, 0.01, 0);
     check_numbers(s->background, (double[]){0.1, 0.2, 0.3}, 3);
     assert_int_equal(s->composite, EW_OUTPUT_ADD);
@@ -206,6 +211,7 @@ static void what_the_file_leaves_out_has_its_default(void **state)
     check_close(s.core_pixels, 1.5, 0);
     check_close(s.exposure, 1, 0);
     check_close(s.light_reach, 0, 0);
+    check_close(s.fog.extinction, 0, 0);
     check_close(s.decay_alpha, 1, 0);
     check_close(s.decay_beta, 1, 0);
     check_close(s.sources.epsilon, 0.001, 0);
@@ -381,6 +387,15 @@ static void a_fault_is_named_with_its_place(void **state)
         {WORLD("\"light\": { \"reach\": 0 }"), "light.reach: "},
         {WORLD("\"light\": { \"reach\": 1, \"gain\": 2e6 }"), "light.gain: "},
         {WORLD("\"light\": { \"reach\": 1, \"shadow_thickness\": -1 }"), "light.shadow_thickness: "},
+        {WORLD("\"fog\": 0.1"), "fog: "},
+        {WORLD("\"fog\": {}"), "fog.extinction: "},
+        {WORLD("\"fog\": { \"extinction\": -0.1 }"), "fog.extinction: "},
+        {WORLD("\"fog\": { \"extinction\": 2e12 }"), "fog.extinction: "},
+        {WORLD("\"fog\": { \"extinction\": 1, \"density\": 1 }"), "fog.density: "},
+        {WORLD("\"fog\": { \"extinction\": 1, \"height\": 5 }"), "fog.height: "},
+        {WORLD("\"fog\": { \"extinction\": 1, \"height\": {} }"), "fog.height.scale: "},
+        {WORLD("\"fog\": { \"extinction\": 1, \"height\": { \"scale\": 0 } }"), "fog.height.scale: "},
+        {WORLD("\"fog\": { \"extinction\": 1, \"height\": { \"scale\": 1, \"up\": [0, 0, 0] } }"), "fog.height.up: "},
         {"[]", "must be a JSON object"},
     };
     check_faults(faults, sizeof faults / sizeof *faults);

@@ -36,7 +36,7 @@ function mutated(scene, [path, wrong]) {
 // A scene with every kind of source and shape, in which each mutation is tried.
 const everything = {
     version: 1, comment: 'all there is', camera: { eye: [0, 1, 8], target: [0, 0, 0], up: [0, 1, 0], projection: 'perspective', fov_y_degrees: 45, near: 0.1, far: 50 },
-    epsilon: 0.001, core_pixels: 1, exposure: 1, light: { gain: 2, reach: 3, shadow_thickness: 0.5 }, background: [0, 0, 0], color: [1, 1, 1], composite: 'soft',
+    epsilon: 0.001, core_pixels: 1, exposure: 1, light: { gain: 2, reach: 3, shadow_thickness: 0.5 }, fog: { extinction: 0.1, height: { base: 1, scale: 2, up: [0, 1, 0] } }, background: [0, 0, 0], color: [1, 1, 1], composite: 'soft',
     points: [{ name: 'orb', position: [0, 0, 0], brightness: 1, core: 0.1, reach: 1, sharpness: 2, color: [1, 0, 0] }],
     lines: [{ position: [0, 0, 0], direction: [1, 0, 0], coefficient: 1, reach: 1 }], tori: [{ center: [0, 0, 0], axis: [0, 1, 0], radius: 1, reach: 1 }],
     curves: [{ control_points: [[0, 0, 0], [1, 1, 0], [2, 0, 0]], domain: [0, 1], weights: [1, 0.5], reach: 1 }, { polynomial: [[0, 0, 0], [1, 1, 0], [2, 0, 0]], reach: 1 }],

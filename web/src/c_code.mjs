@@ -64,6 +64,11 @@ export function cCode(scene) {
     if (scene.light)
         text.push(`    frame->light_gain = ${number(scene.light.gain ?? 1)};`, `    frame->light_reach = ${number(scene.light.reach)};`,
             `    frame->shadow_thickness = ${number(scene.light.shadow_thickness ?? 0)};`);
+    if (scene.fog) {
+        const { base = 0, scale = 0, up = [0, 1, 0] } = scene.fog.height ?? {};
+        text.push(`    frame->fog = (ew_fog){.extinction = ${number(scene.fog.extinction)}, .up = ${list(up)}, ` +
+            `.base = ${number(base)}, .scale = ${number(scale)}};`);
+    }
     if (scene.interval) {
         const near = scene.camera.near ?? 0.1, far = scene.camera.far ?? 100;
         text.push(`    frame->interval_start = ${number(scene.interval.start ?? near)};`, `    frame->interval_end = ${number(scene.interval.end ?? far)};`,

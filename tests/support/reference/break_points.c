@@ -173,6 +173,17 @@ static void find_changes(break_point_search *search, const integrand *f, integra
 
 /* ---- All of them -------------------------------------------------------------------------------------------------------- */
 
+/* Adds break points to the part from low to high, until none is as long as an optical depth. */
+static void divide_by_fog(break_point_search *search, const integrand *f, double low, double high)
+{
+    double before = integrand_optical_depth(f, low), middle = 0.5 * (low + high);
+    if (integrand_optical_depth(f, high) - before <= 1 || before > REFERENCE_FOG_DEPTH) return;
+    if (!(low < middle && middle < high) || search->break_point_count >= MAX_BREAK_POINTS - 2) return;
+    add_break_point(search, middle, high);
+    divide_by_fog(search, f, low, middle);
+    divide_by_fog(search, f, middle, high);
+}
+
 /* Adds the ray's ends, and measures all from the closest sample on. */
 static void finish(break_point_search *search, integrand *f, double end)
 {
@@ -211,5 +222,6 @@ void break_points_find(break_point_search *search, integrand *f, double end)
     double estimate = estimate_integral(search);
     for (size_t i = 0; i + 1 < search->sample_count; i++)
         find_changes(search, f, search->samples[i], search->samples[i + 1], end, estimate);
+    divide_by_fog(search, f, 0, end);
     finish(search, f, end);
 }

@@ -13,6 +13,9 @@
 
 #include <gsl/gsl_roots.h>
 
+/* Behind so many optical depths of fog, no light is looked for. */
+#define REFERENCE_FOG_DEPTH 100
+
 enum { MAX_SAMPLES = 4096, MAX_PEAKS = 16, MAX_BREAK_POINTS = 2048 };
 
 /* Beyond its limits, samples and break points are dropped: that costs the quadrature time and maybe its error bound, which it

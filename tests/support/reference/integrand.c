@@ -27,6 +27,7 @@ integrand integrand_make(const source_kind *kind, const void *source, const inte
         .reach = light->reach,
         .least_core = ray->least_core[0],
         .least_core_slope = ray->least_core[1] - ray->least_core[0],
+        .fog = ray->fog,
     };
     const double *position = source_position(kind, source);
     for (int i = 0; i < 3; i++) {
@@ -153,4 +154,16 @@ double integrand_distance_slope(const integrand *f, double x)
 {
     nearest_point nearest = nearest_at(f, x);
     return vector_dot(f->direction, nearest.offset);
+}
+
+/* The extinction is exp(-height), and height is linear in s: over the way, its mean is (exp(-low) - exp(-high)) / (high - low).
+ */
+double integrand_optical_depth(const integrand *f, double x)
+{
+    const reference_fog *fog = &f->fog;
+    double s = f->origin_s + x, way = (s - fog->begin) * vector_length(f->direction);
+    if (fog->extinction == 0 || !fog->has_height) return fog->extinction * way;
+    double rise = fog->height[1] - fog->height[0], begin = fog->height[0] + fog->begin * rise, end = fog->height[0] + s * rise;
+    double low = fmin(begin, end), difference = fabs((s - fog->begin) * rise);
+    return fog->extinction * way * exp(-low) * (difference > 0 ? -expm1(-difference) / difference : 1);
 }

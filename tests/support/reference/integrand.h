@@ -22,6 +22,7 @@ typedef struct integrand {
     double core, reach;      /* HUGE_VAL for no reach */
     double least_core;       /* at the start of the ray, */
     double least_core_slope; /* and by how much it grows with s */
+    reference_fog fog;
 } integrand;
 
 /* What of a source does not follow from its kind. */
@@ -49,7 +50,11 @@ void integrand_set_origin(integrand *f, double origin_s);
  * left. */
 bool integrand_limit(const integrand *f, double *low, double *high);
 
+/* Without fog. */
 integrand_sample integrand_at(const integrand *f, double x);
+
+/* The optical depth of the fog from where it begins up to x. */
+double integrand_optical_depth(const integrand *f, double x);
 
 /* The derivative of the distance by x, times the distance. */
 double integrand_distance_slope(const integrand *f, double x);

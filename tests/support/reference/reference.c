@@ -47,7 +47,7 @@ void reference_destroy_workspace(reference_workspace *workspace)
 
 static double value_at(double x, void *f)
 {
-    return integrand_at(f, x).value;
+    return integrand_at(f, x).value * exp(-integrand_optical_depth(f, x));
 }
 
 static quadrature_panel integrate_panel(integrand *f, double low, double high)

@@ -12,6 +12,14 @@
 /* A reference value counts as reliable while its error is at most this share of it. */
 #define REFERENCE_RELATIVE_ERROR 1e-7
 
+/* Fog along a ray, of which light at s leaves exp(-optical depth from `begin` to s). */
+typedef struct reference_fog {
+    double extinction; /* per world unit; 0: none */
+    double begin;      /* s, at most 0 */
+    bool has_height;   /* then the extinction is that times exp(-height) */
+    double height[2];  /* over the fog's base, in its scale, at s = 0 and at s = 1 */
+} reference_fog;
+
 /* L(s) = start + s (end - start), s from 0 to s_max, in the sources' space. Coordinates near the origin keep the most digits:
  * for a camera far from it, move sources and ray so that the eye is at the origin.
  *
@@ -24,6 +32,7 @@ typedef struct reference_ray {
     bool is_world;
     double decay_alpha; /* of the papers' integral, as beta */
     double decay_beta;
+    reference_fog fog;
     double least_core[2]; /* half of `core_pixels` pixels, in world units, at s = 0 and at s = 1 */
 } reference_ray;
 
