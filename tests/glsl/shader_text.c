@@ -167,18 +167,17 @@ static const unsigned emitters[] = {
 /* The light on surfaces: of the kinds one by one, and of all at once. */
 static void write_surfaces(const shader_profile *profile)
 {
-    static const unsigned depths[] = {EW_PERMUTATION_DEPTH, EW_PERMUTATION_DEPTH | EW_PERMUTATION_DEPTH_MULTISAMPLE};
-    for (size_t depth = 0; depth < sizeof depths / sizeof depths[0]; ++depth)
-        for (size_t i = 0; i < sizeof emitters / sizeof emitters[0]; ++i) {
-            unsigned key = depths[depth] | emitters[i], many = ew_permutation_with_lists(key);
-            const unsigned shaded = EW_PERMUTATION_SHADOWS | EW_PERMUTATION_NORMALS;
-            for (int kind = 0; kind < EW_KIND_COUNT; ++kind)
-                write_pass(profile, EW_PASS_SURFACES, ew_permutation_with_count(key | (kind % 2 ? shaded : 0), kind, 1));
-            write_pass(profile, EW_PASS_SURFACES, with_kinds(many | shaded, all_kinds, EW_ANY_COUNT));
-            write_pass(profile, EW_PASS_SURFACES, with_kinds(many | EW_PERMUTATION_SHADOWS, all_kinds, EW_ANY_COUNT));
-            write_pass(profile, EW_PASS_SURFACES, with_kinds(many, all_kinds, EW_ANY_COUNT));
-            write_pass(profile, EW_PASS_SURFACES, with_kinds(many | EW_PERMUTATION_SOURCE_TEXTURE, all_kinds, EW_ANY_COUNT));
-        }
+    const unsigned shaded = EW_PERMUTATION_SHADOWS | EW_PERMUTATION_NORMALS;
+    for (size_t i = 0; i < sizeof emitters / sizeof emitters[0]; ++i) {
+        const unsigned key = emitters[i] | EW_PERMUTATION_DEPTH;
+        const unsigned many = with_kinds(ew_permutation_with_lists(key), all_kinds, EW_ANY_COUNT);
+        for (int kind = 0; kind < EW_KIND_COUNT; ++kind)
+            write_pass(profile, EW_PASS_SURFACES, ew_permutation_with_count(key | (kind % 2 ? shaded : 0), kind, 1));
+        write_pass(profile, EW_PASS_SURFACES, many | shaded);
+        write_pass(profile, EW_PASS_SURFACES, many | EW_PERMUTATION_SHADOWS | EW_PERMUTATION_DEPTH_MULTISAMPLE);
+        write_pass(profile, EW_PASS_SURFACES, many | EW_PERMUTATION_DEPTH_MULTISAMPLE);
+        write_pass(profile, EW_PASS_SURFACES, many | EW_PERMUTATION_SOURCE_TEXTURE);
+    }
 }
 
 /* All that main() can do, with each field: without sources, and with all kinds. */
