@@ -9,8 +9,8 @@
 
 #include <stdint.h>
 
-/* Seeds from this one on are of scenes of the world integral; from twice of it on, of the papers' in fog; from three times of it
- * on, of the world's in fog. */
+/* Seeds from this one on are of scenes of the world integral; from twice of it on, of the papers' in fog; from three times of
+ * it on, of the world's in fog. */
 #define RANDOM_WORLD_SEED 1000000000000u
 
 /* What a scene consists of, in either integral: a single source of one of the kinds, in their order, or a combination. */
