@@ -20,7 +20,7 @@ float ew_longest_cubic(float s, vec4 glow)
 #endif
 #ifdef EW_CORE_PIXELS
     float widening = ew_view_depth.x / ew_view_depth.y + s + sqrt(ew_core_radius2(glow) / max(ew_core_growth2(), 1e-30));
-    way = max(min(way, 0.5 * widening), 0.1 * way);
+    way = max(min(way, 0.5 * widening), 0.02 * way);
 #endif
     return max(way, ew_way_through_thin_fog(s, 1.0));
 }
@@ -121,6 +121,12 @@ vec4 ew_moments_of_part(float b2, float k, float s0, vec2 part, float middle, ve
 }
 #endif
 
+// What ew_integrate_within_reach is, by the product rule.
+float ew_integrate_by_rule(float b2, float k, float s0, vec2 part, vec4 glow)
+{
+    return ew_integrate_in_fog(b2, k, s0, part, s0 + ew_core_of(b2, k, s0, glow), vec4(1.0, 0.0, 0.0, 0.0), glow);
+}
+
 // What ew_integrate_floored_reciprocal is, less 1 / R, in fog.
 float ew_integrate_within_reach(float b2, float k, float s0, vec2 part, vec4 glow)
 {
@@ -140,6 +146,6 @@ float ew_integrate_within_reach(float b2, float k, float s0, vec2 part, vec4 glo
     } while (from < part.y && ++panel < EW_MAX_FOG_PANELS);
     return sum;
 #else
-    return ew_integrate_in_fog(b2, k, s0, part, s0 + ew_core_of(b2, k, s0, glow), vec4(1.0, 0.0, 0.0, 0.0), glow);
+    return ew_integrate_by_rule(b2, k, s0, part, glow);
 #endif
 }
