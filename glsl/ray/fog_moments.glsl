@@ -2,8 +2,13 @@
 // cubic that stands for the transmittance. docs/method.md, section 15, has the derivation.
 
 #ifdef EW_WORLD
-// A panel's length, times extinction and growth of that. The cubic's error is at most 2e-4 of the transmittance in its middle.
-const float EW_FOG_CUBIC = 0.76;
+// A panel's length, times extinction and growth of that. The cubic's error is at most 2e-4 of the transmittance in its middle; for the
+// quality of 1e-4, a quarter of that.
+float ew_cubic_length()
+{
+    return mix(0.53, 0.76, ew_tolerance() > 3e-4);
+}
+
 // Of a source's light, what has so small a share of the transmittance where it begins does not count.
 const float EW_FOG_HIDDEN = 2e-9;
 // Of moments about a place that is so many half lengths away, little is left but rounding.
@@ -14,9 +19,9 @@ const float EW_FOG_FAR = 24.0;
 float ew_longest_cubic(float s, vec4 glow)
 {
 #ifdef EW_FOG_HEIGHT
-    float way = EW_FOG_CUBIC / (ew_extinction(s) + abs(ew_fog_rise));
+    float way = ew_cubic_length() / (ew_extinction(s) + abs(ew_fog_rise));
 #else
-    float way = EW_FOG_CUBIC / ew_fog_extinction;
+    float way = ew_cubic_length() / ew_fog_extinction;
 #endif
 #ifdef EW_CORE_PIXELS
     float widening = ew_view_depth.x / ew_view_depth.y + s + sqrt(ew_core_radius2(glow) / max(ew_core_growth2(), 1e-30));
