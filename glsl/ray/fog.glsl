@@ -1,4 +1,4 @@
-// Fog: what is left of light on its way along the ray to the eye. See `ew_fog` in energywave.h, and docs/method.md, section 15.
+// Fog: what is left of light on its way along the ray to the eye. See `ew_fog` in energywave.h, and docs/method.md, section 16.
 
 // Light behind so many optical depths, 4e-18 of itself, does not count.
 const float EW_FOG_DEPTH = 40.0;

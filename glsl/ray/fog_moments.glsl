@@ -1,9 +1,14 @@
 // The world integral of what is nearest to the ray as a point or a line is, in fog: closed forms for the moments of its field, against a
-// cubic that stands for the transmittance. docs/method.md, section 15, has the derivation.
+// cubic that stands for the transmittance. docs/method.md, section 16, has the derivation.
 
 #ifdef EW_WORLD
-// A panel's length, times extinction and growth of that. The cubic's error is at most 2e-4 of the transmittance in its middle.
-const float EW_FOG_CUBIC = 0.76;
+// A panel's length, times extinction and growth of that. The cubic's error is at most 2e-4 of the transmittance in its middle; for the
+// quality of 1e-4, a quarter of that.
+float ew_cubic_length()
+{
+    return mix(0.53, 0.76, ew_tolerance() > 3e-4);
+}
+
 // Of a source's light, what has so small a share of the transmittance where it begins does not count.
 const float EW_FOG_HIDDEN = 2e-9;
 // Of moments about a place that is so many half lengths away, little is left but rounding.
@@ -14,13 +19,13 @@ const float EW_FOG_FAR = 24.0;
 float ew_longest_cubic(float s, vec4 glow)
 {
 #ifdef EW_FOG_HEIGHT
-    float way = EW_FOG_CUBIC / (ew_extinction(s) + abs(ew_fog_rise));
+    float way = ew_cubic_length() / (ew_extinction(s) + abs(ew_fog_rise));
 #else
-    float way = EW_FOG_CUBIC / ew_fog_extinction;
+    float way = ew_cubic_length() / ew_fog_extinction;
 #endif
 #ifdef EW_CORE_PIXELS
     float widening = ew_view_depth.x / ew_view_depth.y + s + sqrt(ew_core_radius2(glow) / max(ew_core_growth2(), 1e-30));
-    way = max(min(way, 0.5 * widening), 0.1 * way);
+    way = max(min(way, 0.5 * widening), 0.02 * way);
 #endif
     return max(way, ew_way_through_thin_fog(s, 1.0));
 }
@@ -121,6 +126,12 @@ vec4 ew_moments_of_part(float b2, float k, float s0, vec2 part, float middle, ve
 }
 #endif
 
+// What ew_integrate_within_reach is, by the product rule.
+float ew_integrate_by_rule(float b2, float k, float s0, vec2 part, vec4 glow)
+{
+    return ew_integrate_in_fog(b2, k, s0, part, s0 + ew_core_of(b2, k, s0, glow), vec4(1.0, 0.0, 0.0, 0.0), glow);
+}
+
 // What ew_integrate_floored_reciprocal is, less 1 / R, in fog.
 float ew_integrate_within_reach(float b2, float k, float s0, vec2 part, vec4 glow)
 {
@@ -140,6 +151,6 @@ float ew_integrate_within_reach(float b2, float k, float s0, vec2 part, vec4 glo
     } while (from < part.y && ++panel < EW_MAX_FOG_PANELS);
     return sum;
 #else
-    return ew_integrate_in_fog(b2, k, s0, part, s0 + ew_core_of(b2, k, s0, glow), vec4(1.0, 0.0, 0.0, 0.0), glow);
+    return ew_integrate_by_rule(b2, k, s0, part, glow);
 #endif
 }

@@ -1,5 +1,5 @@
 // The integral of a reciprocal distance whose square is quadratic along the ray, in fog: what the closed form of quadrature.glsl is
-// without. docs/method.md, section 15, has the derivation.
+// without. docs/method.md, section 16, has the derivation.
 
 // The optical depth of a panel: over so little the transmittance is a polynomial within 1e-4 of its mean; with a weight, which takes
 // two of the five degrees, over half of it.

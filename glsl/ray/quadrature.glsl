@@ -236,4 +236,7 @@ float ew_integrate_within_reach(float b2, float k, float s0, vec2 part, vec4 glo
 #endif
     return sum;
 }
+
+// In fog there is a slower one, which the ends of bent pieces need.
+#define ew_integrate_by_rule ew_integrate_within_reach
 #endif

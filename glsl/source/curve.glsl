@@ -21,7 +21,7 @@ float ew_integrate_end(ew_arc arc, float tau, vec2 part)
             part = vec2(max(part.x, chord.x), max(max(part.x, chord.x), chord.y));
         }
 #endif
-        sum = passage.weight * ew_integrate_within_reach(passage.b2, passage.k, passage.s0, part, arc.glow);
+        sum = passage.weight * ew_integrate_by_rule(passage.b2, passage.k, passage.s0, part, arc.glow);
     }
     return sum;
 }
@@ -162,7 +162,7 @@ float ew_integrate_stretch(ew_arc arc, ew_approaches approaches, float from, flo
 #ifdef EW_REACH
     if (ew_has_reach(arc.glow)) part = ew_clip(arc, ew_make_portion(arc, passage.s0, part), false).ends;
 #endif
-    float reciprocal = ew_integrate_within_reach(passage.b2, passage.k, passage.s0, part, arc.glow);
+    float reciprocal = ew_integrate_by_rule(passage.b2, passage.k, passage.s0, part, arc.glow);
     float light = sum + max(passage.weight, 0.02 * arc.mean_weight) * max(reciprocal, 0.0);
     float allowance = ew_tolerance() * (light + EW_OTHERS_SHARE * others);
     float rest = 0.0;

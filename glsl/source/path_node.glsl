@@ -16,7 +16,7 @@ float ew_integrate_point_over(ew_segment segment, vec3 position, vec2 part, vec4
     float sum = 0.0;
     if (EW_IS_NEEDED(part.x != part.y)) {
         float sign = mix(-1.0, 1.0, part.x < part.y);
-        sum = sign * ew_integrate_within_reach(b2, k, s0, vec2(min(part.x, part.y), max(part.x, part.y)), glow);
+        sum = sign * ew_integrate_by_rule(b2, k, s0, vec2(min(part.x, part.y), max(part.x, part.y)), glow);
     }
     return sum;
 }
