@@ -22,7 +22,7 @@ enum { WIDTH = 288, HEIGHT = 228, SAMPLES = 4 };
 
 /* As many that every capability is the only one enabled before a draw to every target. The effect takes fewer: its shaders are
  * slow to compile, anew for much of the state that changes. */
-enum { GUARD_SEEDS = 400, EFFECT_SEEDS = 36, LIFE_SEEDS = 18, DIRTY_SEEDS = 24 };
+enum { GUARD_SEEDS = 400, EFFECT_SEEDS = 16, LIFE_SEEDS = 18, DIRTY_SEEDS = 24 };
 
 /* What is drawn to: a colour attachment that should get the picture, one that should not, depth and stencil. */
 typedef struct test_target {
