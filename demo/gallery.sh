@@ -142,6 +142,25 @@ The first two are of the same scene without \`light\`, and without \`shadow_thic
 end_row
 
 text << 'TEXT'
+## In fog
+
+Light pales on its way to the eye, inside the integral. What fog does to the stone is the host's business, and is left out here.
+TEXT
+row 'no fog' '"extinction": 0.03' 'by height: "extinction": 0.25, "scale": 1.2'
+picture showpiece-clear ew-render demo/scenes/showpiece.json --size 320x180
+for fog in '"extinction": 0.03' '"extinction": 0.25, "height": { "scale": 1.2 }'; do
+    name=showpiece-fog
+    [ "$fog" = '"extinction": 0.03' ] || name=showpiece-fog-low
+    sed "s/\"composite\": \"soft\"/\"composite\": \"soft\", \"fog\": { $fog }/" demo/scenes/showpiece.json > "$scratch/$name.json"
+    echo "$name"
+    "$programs"/ew-render "$scratch/$name.json" --size 320x180 -o $pictures/$name.png > /dev/null
+    cells="$cells ![$name](gallery/$name.png) |"
+    commands="$commands    \"fog\": { $fog }
+"
+done
+end_row
+
+text << 'TEXT'
 ## A torus from three sides (figures 5.1 and 5.2)
 TEXT
 views torus-0.9 front oblique edge
