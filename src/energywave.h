@@ -369,9 +369,9 @@ typedef enum ew_output {
     EW_OUTPUT_SOFT,
     /* The light that falls on the opaque scene: C = (1 + E) Cb for each channel, with the irradiance E of ew_irradiance (see
      * ew_get_shader_text) and the target's colour as the albedo. Draw it first, and the glow itself over it. It needs a
-     * light_reach and an opaque depth, from which it takes places and normals too; integrator, quality, resolution, interval
-     * and dither do not matter, nor do the sources' reaches. The target's alpha stays as it is. A target of 8 or 10 bits takes
-     * E only up to 1. */
+     * light_reach and an opaque depth, from which it takes places and, without a normal_texture, normals. The exposure counts;
+     * integrator, quality, resolution, interval, fog and dither do not matter, nor do the sources' reaches and sharpness. The
+     * target's alpha stays as it is. A target of 8 or 10 bits takes E only up to 1. */
     EW_OUTPUT_SURFACES,
     /* B itself, in the red channel, without blending. For tone mapping by the host, and for tests. */
     EW_OUTPUT_LUMINANCE,
@@ -575,8 +575,9 @@ typedef struct ew_bounds {
     double depth_end;        /* HUGE_VAL: without end, as infinite lines */
 } ew_bounds;
 
-/* Says what the sources can light at the most, so that the host can skip the draw, set a scissor, or sort. In the papers'
- * integral a source without a reach lights everything in the interval.
+/* Says what the sources can light at the most (with EW_OUTPUT_SURFACES, on surfaces within the light_reach), so that the host
+ * can skip the draw, set a scissor, or sort. In the papers' integral a source without a reach lights everything in the
+ * interval.
  *
  * frame:  as ew_draw would take it.
  * bounds: receives the bounds; unchanged on failure.
