@@ -95,7 +95,7 @@ static void draw_quad(void *user)
 /* The pass that draws a plan without a grid. */
 static ew_pass whole_pass(const ew_plan *plan)
 {
-    return plan->draws_surfaces ? EW_PASS_SURFACES : EW_PASS_WAVE;
+    return plan->light_reach > 0 ? EW_PASS_SURFACES : EW_PASS_WAVE;
 }
 
 static void draw_every_pixel(ew_drawing *drawing)

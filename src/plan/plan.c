@@ -210,9 +210,8 @@ ew_result ew_plan_frame(ew_plan *plan, ew_sources *sources, const ew_mix *mix, c
     plan->target = (ew_target){frame->framebuffer, viewport, blend_of(frame->output), frame->encoding == EW_ENCODING_SRGB_8BIT,
                                frame->keep_stencil_test};
     plan->depth = (ew_depth_request){frame->depth_source, frame->depth_texture};
-    plan->draws_surfaces = ew_draws_surfaces(frame);
-    plan->light_reach = plan->draws_surfaces ? frame->light_reach : 0;
-    plan->normal_texture = plan->draws_surfaces ? frame->normal_texture : 0;
+    plan->light_reach = ew_draws_surfaces(frame) ? frame->light_reach : 0;
+    plan->normal_texture = ew_draws_surfaces(frame) ? frame->normal_texture : 0;
     plan->is_adaptive = is_adaptive(frame, mix ? mix : &current);
     plan->skips_restore = frame->skip_restore;
     return EW_OK;

@@ -43,11 +43,10 @@ typedef struct ew_plan {
     ew_interval depths;         /* between which the sources are seen */
     ew_target target;
     ew_depth_request depth;
-    ew_viewport lit;  /* what of the target's viewport is drawn: all that the sources can light */
-    bool is_adaptive; /* in resolution */
-    bool draws_surfaces;
-    double light_reach;      /* of that; else 0 */
-    unsigned normal_texture; /* of surfaces; 0: from their depth */
+    ew_viewport lit;         /* what of the target's viewport is drawn: all that the sources can light */
+    bool is_adaptive;        /* in resolution */
+    double light_reach;      /* of a plan that draws surfaces; else 0 */
+    unsigned normal_texture; /* of these; 0: normals are found from depth */
     bool skips_restore;
 } ew_plan;
 

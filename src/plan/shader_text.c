@@ -163,6 +163,12 @@ static void add_file_once(ew_shader_text *text, const char *file)
     add_file(text, file);
 }
 
+static void add_files_once(ew_shader_text *text, const char *const files[EW_KIND_MAX_FILES])
+{
+    for (int i = 0; i < EW_KIND_MAX_FILES && files[i]; ++i)
+        add_file_once(text, files[i]);
+}
+
 static void add_bend_files(ew_shader_text *text, const ew_kind *kind, bool is_sampling)
 {
     const char *const *files = is_sampling ? kind->chain->sampled_bend_files : kind->chain->bend_files;
@@ -177,8 +183,7 @@ static void add_kinds(ew_shader_text *text, unsigned key, const ew_integrator_te
         const char *const *files = integrator->is_sampling ? ew_kinds[kind]->sampling_files : ew_kinds[kind]->adaptive_files;
         if (ew_kinds[kind]->chain && key & EW_PERMUTATION_BENDS) add_bend_files(text, ew_kinds[kind], integrator->is_sampling);
         if (ew_kinds[kind]->chord_file) add_file_once(text, ew_kinds[kind]->chord_file);
-        for (int i = 0; i < EW_KIND_MAX_FILES && files[i]; ++i)
-            add_file_once(text, files[i]);
+        add_files_once(text, files);
         if (!integrator->each_kind) continue;
         add_made(text, "#define EW_SOURCE ew_%s_block\n", ew_kinds[kind]->name);
         if (!ew_kinds[kind]->chain) add_file(text, ew_glsl_sample_source_glsl);
@@ -231,12 +236,6 @@ static void add_light(ew_shader_text *text, unsigned key, const ew_integrator_te
         add_file(text, integrator->before[i]);
     add_kinds(text, key, integrator);
     add_file(text, ew_glsl_light_glsl);
-}
-
-static void add_files_once(ew_shader_text *text, const char *const files[EW_KIND_MAX_FILES])
-{
-    for (int i = 0; i < EW_KIND_MAX_FILES && files[i]; ++i)
-        add_file_once(text, files[i]);
 }
 
 /* The light on surfaces. */
