@@ -21,9 +21,6 @@ float ew_lobe(ew_gloss gloss, float cosine)
 // many there are.
 float ew_gloss_of_segment(ew_surface surface, ew_gloss gloss, vec3 from, vec3 to, float core, vec4 weights)
 {
-    const float nodes[6] = float[6](-0.9324695142, -0.6612093865, -0.2386191861, 0.2386191861, 0.6612093865, 0.9324695142);
-    const float gauss_weights[6] =
-        float[6](0.1713244924, 0.3607615730, 0.4679139346, 0.4679139346, 0.3607615730, 0.1713244924);
     const float half_pi = 1.57079632679;
     vec3 way = to - from;
     float way_length = max(length(way), 1e-30);
@@ -43,7 +40,7 @@ float ew_gloss_of_segment(ew_surface surface, ew_gloss gloss, vec3 from, vec3 to
     float half_angle = 0.5 * (theta.y - theta.x);
     float sum = 0.0;
     for (int i = 0; i < 6; ++i) {
-        float along = clamp(h * tan(theta.x + half_angle * (1.0 + nodes[i])), t.x, t.y);
+        float along = clamp(h * tan(theta.x + half_angle * (1.0 + EW_EMITTER_NODES[i])), t.x, t.y);
         float distance_squared = h * h + along * along;
         float light = ew_lobe(gloss, dot(gloss.mirrored, foot + along * axis) * inversesqrt(distance_squared)) *
                       ew_light_falloff(distance_squared, core) * distance_squared;
@@ -51,7 +48,7 @@ float ew_gloss_of_segment(ew_surface surface, ew_gloss gloss, vec3 from, vec3 to
         float place = mix(weights.x, weights.y, clamp((along - first) / way_length, 0.0, 1.0));
         if (weights.w > 0.0) light *= ew_weight(place, weights.z, weights.w);
 #endif
-        sum += gauss_weights[i] * light;
+        sum += EW_EMITTER_WEIGHTS[i] * light;
     }
     return half_angle * sum / h;
 }

@@ -49,9 +49,6 @@ float ew_emitter_knot(ew_emitter emitter, float tau, float last)
 // which a straight emitter would be seen.
 float ew_light_of_part(ew_surface surface, ew_emitter emitter, vec2 part, float core)
 {
-    const float nodes[6] = float[6](-0.9324695142, -0.6612093865, -0.2386191861, 0.2386191861, 0.6612093865, 0.9324695142);
-    const float gauss_weights[6] =
-        float[6](0.1713244924, 0.3607615730, 0.4679139346, 0.4679139346, 0.3607615730, 0.1713244924);
     float middle = 0.5 * (part.x + part.y);
     float peak = clamp(middle < emitter.vertex ? emitter.peaks.x : emitter.peaks.y, part.x, part.y);
     vec3 nearest = ew_emitter_place(emitter, peak);
@@ -62,10 +59,10 @@ float ew_light_of_part(ew_surface surface, ew_emitter emitter, vec2 part, float 
     float mean_angle = 0.5 * (angles.x + angles.y);
     float sum = 0.0;
     for (int i = 0; i < 6; ++i) {
-        float tangent = tan(mean_angle + nodes[i] * half_angle);
+        float tangent = tan(mean_angle + EW_EMITTER_NODES[i] * half_angle);
         float tau = peak + width * tangent;
         float step = width * (1.0 + tangent * tangent) * length(emitter.c1 + 2.0 * tau * emitter.c2);
-        sum += gauss_weights[i] * step * ew_emitter_weight(emitter, tau) *
+        sum += EW_EMITTER_WEIGHTS[i] * step * ew_emitter_weight(emitter, tau) *
                ew_light_at(surface, ew_emitter_place(emitter, tau), core);
     }
 #ifdef EW_SHADOWS

@@ -8,6 +8,11 @@
 // the inverse square of the distance, constant in the core, cut so that it comes to 0 with its slope. In ray space, whose unit of
 // length the gain of the uniform block makes up for.
 
+// Of Gauss and Legendre, on [-1, 1].
+const float EW_EMITTER_NODES[6] = float[6](-0.9324695142, -0.6612093865, -0.2386191861, 0.2386191861, 0.6612093865, 0.9324695142);
+const float EW_EMITTER_WEIGHTS[6] =
+    float[6](0.1713244924, 0.3607615730, 0.4679139346, 0.4679139346, 0.3607615730, 0.1713244924);
+
 struct ew_surface {
     vec3 position;
     vec3 normal;

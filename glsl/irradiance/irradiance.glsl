@@ -19,12 +19,16 @@ void ew_start_picking(float light)
         ew_pick_sums[i] = light * (float(i) + ew_pick_offset) / float(EW_PICK_COUNT);
     ew_pick_sum = 0.0;
 }
-#define EW_CAST(source) if (light * source.color.w * ew_light_gain() > EW_LEAST_SHADED) { ew_start_picking(light); ew_irradiance_of(surface, source); light *= ew_visible_share(surface, ew_light_core(source.glow)); ew_pick_sums = vec4(-1.0); }
+#define EW_IS_SHADED(source) (light * source.color.w * ew_light_gain() > EW_LEAST_SHADED)
+#define EW_PICK(source) ew_start_picking(light); ew_irradiance_of(surface, source); ew_pick_sums = vec4(-1.0);
+#define EW_SHADE(source) EW_PICK(source) light *= ew_visible_share(surface, ew_light_core(source.glow));
+#define EW_CAST(source) if (EW_IS_SHADED(source)) { EW_SHADE(source) }
 #else
 #define EW_CAST(source)
 #endif
 
-#define EW_SHINE(block, read) block source = read(EW_PLACE(i)); float light = ew_irradiance_of(surface, source); EW_CAST(source) sum += ew_shine(source.color, light); ++i;
+#define EW_RECEIVE(source) float light = ew_irradiance_of(surface, source); EW_CAST(source) sum += ew_shine(source.color, light);
+#define EW_SHINE(block, read) block source = read(EW_PLACE(i)); EW_RECEIVE(source) ++i;
 #undef EW_ADD_KIND
 #define EW_ADD_KIND(block, read, kind, count) EW_EACH(kind, count, if (i < end) { do { EW_SHINE(block, read) } while (i < end); })
 

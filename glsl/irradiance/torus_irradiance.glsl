@@ -59,9 +59,6 @@ vec3 ew_turn_circle(float ratio, float theta)
 // The same of a part on one side, between -pi and 0 or between 0 and pi.
 float ew_light_of_arc(ew_surface surface, ew_circle circle, vec2 part, float core)
 {
-    const float nodes[6] = float[6](-0.9324695142, -0.6612093865, -0.2386191861, 0.2386191861, 0.6612093865, 0.9324695142);
-    const float gauss_weights[6] =
-        float[6](0.1713244924, 0.3607615730, 0.4679139346, 0.4679139346, 0.3607615730, 0.1713244924);
     const float pi = 3.14159265359;
     float ratio = max(circle.distances.x / max(circle.distances.y, 1e-30), 1e-6);
     vec2 tangents = vec2(part.x <= -pi ? -1e6 : tan(0.5 * part.x), part.y >= pi ? 1e6 : tan(0.5 * part.y));
@@ -70,8 +67,8 @@ float ew_light_of_arc(ew_surface surface, ew_circle circle, vec2 part, float cor
     float mean_angle = 0.5 * (angles.x + angles.y);
     float sum = 0.0;
     for (int i = 0; i < 6; ++i) {
-        vec3 turned = ew_turn_circle(ratio, mean_angle + half_angle * nodes[i]);
-        sum += gauss_weights[i] * turned.z * ew_light_at(surface, ew_circle_place(circle, turned.xy), core);
+        vec3 turned = ew_turn_circle(ratio, mean_angle + half_angle * EW_EMITTER_NODES[i]);
+        sum += EW_EMITTER_WEIGHTS[i] * turned.z * ew_light_at(surface, ew_circle_place(circle, turned.xy), core);
     }
 #ifdef EW_SHADOWS
     vec4 shares = ew_shares_in_part(circle.radius * half_angle * sum);

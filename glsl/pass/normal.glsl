@@ -7,7 +7,8 @@ vec3 ew_position_of(vec2 pixel, float depth)
     return segment.origin + ew_end_of_ray(ew_parameter_of_depth(pixel, depth)) * segment.direction;
 }
 
-float ew_depth_beside(ivec2 place, int sample_index)
+// The window depth of a sample of a pixel.
+float ew_depth_of_sample(ivec2 place, int sample_index)
 {
 #ifdef EW_DEPTH_MULTISAMPLE
     return ew_window_depth(place, sample_index);
@@ -36,7 +37,7 @@ vec3 ew_normal_of(ivec2 place, vec3 position, int sample_index)
 float ew_flat_depth(ivec2 place, int sample_index)
 {
     vec2 pixel = vec2(place) + 0.5 - ew_frame.pixel_center.xy;
-    float along = ew_end_of_ray(ew_parameter_of_depth(pixel, ew_depth_beside(place, sample_index)));
+    float along = ew_end_of_ray(ew_parameter_of_depth(pixel, ew_depth_of_sample(place, sample_index)));
     return ew_is_perspective() ? 1.0 / max(ew_frame.core_floor.y + along, 1e-30) : along;
 }
 
@@ -52,7 +53,7 @@ float ew_bend_of_surface(ivec2 place, ivec2 step, float here, int sample_index)
 
 vec3 ew_position_beside(ivec2 place, int sample_index)
 {
-    return ew_position_of(vec2(place) + 0.5 - ew_frame.pixel_center.xy, ew_depth_beside(place, sample_index));
+    return ew_position_of(vec2(place) + 0.5 - ew_frame.pixel_center.xy, ew_depth_of_sample(place, sample_index));
 }
 
 // Along the surface at a pixel towards `axis`: from the pixel before to the one behind. Where the surface ends or bends sharply on

@@ -33,7 +33,7 @@ bool ew_is_hidden(vec3 position)
     vec2 pixel = ew_pixel_of(position);
     if (!ew_is_on_picture(pixel)) return false;
     ivec2 place = ivec2(floor(pixel + ew_frame.pixel_center.xy));
-    float opaque = ew_end_of_ray(ew_parameter_of_depth(pixel, ew_depth_beside(place, 0)));
+    float opaque = ew_end_of_ray(ew_parameter_of_depth(pixel, ew_depth_of_sample(place, 0)));
     float behind = -position.z - opaque;
     return behind > ew_pixel_size(position) && behind < ew_shadow_thickness();
 }

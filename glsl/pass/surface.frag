@@ -2,9 +2,10 @@
 
 out vec4 ew_color;
 
-// The surface at a pixel, one of a window depth; dark where there is none within the light's reach.
-vec3 ew_light_on(ivec2 place, float depth, int sample_index)
+// Of the surface at a sample of a pixel; dark where there is none within the light's reach.
+vec3 ew_light_on(ivec2 place, int sample_index)
 {
+    float depth = ew_depth_of_sample(place, sample_index);
     vec2 pixel = vec2(place) + 0.5 - ew_frame.pixel_center.xy;
     float share = ew_parameter_of_depth(pixel, depth);
     if (share <= 0.0 || share >= 1.0) return vec3(0.0);
@@ -24,10 +25,10 @@ void main()
     vec3 light = vec3(0.0);
 #ifdef EW_DEPTH_MULTISAMPLE
     for (int i = ew_samples.x; i < ew_samples.y; ++i)
-        light += ew_light_on(place, ew_window_depth(place, i), i);
+        light += ew_light_on(place, i);
     light /= float(ew_samples.y - ew_samples.x);
 #else
-    light = ew_light_on(place, ew_window_depth(place), 0);
+    light = ew_light_on(place, 0);
 #endif
     ew_color = vec4(min(light, EW_MAX_RADIANCE), 0.0);
 }
