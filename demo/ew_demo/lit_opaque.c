@@ -85,6 +85,12 @@ static void set_vector(const gl_functions *gl, GLuint program, const char *name,
     gl->Uniform3f(gl->GetUniformLocation(program, name), (float)vector[0], (float)vector[1], (float)vector[2]);
 }
 
+void lit_opaque_mirror(double view[16])
+{
+    for (int row = 0; row < 4; row++)
+        view[4 + row] = -view[4 + row];
+}
+
 static void set_camera(const lit_opaque *lit, const lit_opaque_view *how)
 {
     const scene_camera *camera = &how->scene->camera;
@@ -95,8 +101,7 @@ static void set_camera(const lit_opaque *lit, const lit_opaque_view *how)
     camera_projection(camera, (double)how->settings->width / how->settings->height, projection);
     vector_copy(camera->eye, eye);
     if (how->is_mirrored) {
-        for (int row = 0; row < 4; row++)
-            view[4 + row] = -view[4 + row];
+        lit_opaque_mirror(view);
         eye[1] = -eye[1];
     }
     multiply(projection, view, view_projection);
@@ -175,9 +180,7 @@ ew_frame_desc lit_opaque_frame(const lit_opaque *lit, const lit_opaque_view *vie
     const render_target target = {.depth = view->depth, .effect_framebuffer = layers->albedo_framebuffer};
     ew_frame_desc frame = render_light_frame(view->scene, view->settings, &target);
     frame.normal_texture = layers->normal;
-    /* Mirror the world in the floor, y = 0, before it is viewed. */
-    for (int row = 0; row < 4 && view->is_mirrored; row++)
-        frame.view[4 + row] = -frame.view[4 + row];
+    if (view->is_mirrored) lit_opaque_mirror(frame.view);
     return frame;
 }
 

@@ -19,6 +19,9 @@ typedef struct lit_opaque lit_opaque;
  * message, on failure. */
 lit_opaque *lit_opaque_create(const gl_functions *gl, const demo_scene *scene, char *message, size_t size);
 
+/* Has a view mirror the world in the floor, y = 0, before it is viewed. */
+void lit_opaque_mirror(double view[16]);
+
 typedef struct lit_opaque_view {
     const demo_scene *scene;
     const render_settings *settings; /* of the picture's size */

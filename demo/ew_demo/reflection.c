@@ -37,9 +37,7 @@ ew_result reflection_draw(const gl_functions *gl, floor_reflection *reflection, 
 
     render_target target = {.depth = reflection->depth, .effect_framebuffer = reflection->effect_framebuffer};
     ew_frame_desc frame = render_frame(scene, &half, &target);
-    /* Mirror the world in the floor, y = 0, before it is viewed. */
-    for (int row = 0; row < 4; row++)
-        frame.view[4 + row] = -frame.view[4 + row];
+    lit_opaque_mirror(frame.view);
     return ew_draw(effect, &frame, error);
 }
 
