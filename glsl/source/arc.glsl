@@ -138,10 +138,12 @@ bool ew_has_weights(ew_arc arc)
 // The weight at `tau`, equation (15); 1 without weights.
 float ew_arc_weight(ew_arc arc, float tau)
 {
+    float weight = 1.0;
 #ifdef EW_WEIGHTS
-    if (arc.piece_count > 0.0) return ew_weight(arc.place + (tau - arc.first) * arc.place_slope, arc.first_piece, arc.piece_count);
+    float place = arc.place + (tau - arc.first) * arc.place_slope;
+    if (arc.piece_count > 0.0) weight = ew_weight(place, arc.first_piece, arc.piece_count);
 #endif
-    return 1.0;
+    return weight;
 }
 
 // The squared radius of the arc's core at s.

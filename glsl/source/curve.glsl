@@ -31,12 +31,9 @@ float ew_integrate_end(ew_arc arc, float tau, vec2 part)
 // integrals.
 ew_passage ew_passage_of_stretch(ew_arc arc, ew_approaches approaches, float from, float to)
 {
-    float middle = 0.5 * (from + to);
-    ew_passage passage = ew_passage_of_arm(arc, approaches, middle);
-    passage.weight = ew_arc_weight(arc, ew_tau_on_arm(arc, clamp(passage.s0, from, to)));
-    // The tip of an arc that is folded back on itself is one point all along, like an end.
-    bool is_fold = arc.has_vertex && arc.slope_x == 0.0 && arc.equation_start.x + middle * arc.equation_growth.x > 0.0;
-    if (is_fold) passage = ew_passage_at(arc, 0.0, true, false);
+    bool is_fold;
+    ew_passage passage = ew_passage_of_arm(arc, approaches, 0.5 * (from + to), is_fold);
+    passage.weight = ew_arc_weight(arc, mix(ew_tau_on_arm(arc, clamp(passage.s0, from, to)), 0.0, is_fold));
     return passage;
 }
 
@@ -91,8 +88,14 @@ struct ew_portion {
 ew_portion ew_make_portion(ew_arc arc, float nearest, vec2 ends)
 {
     nearest = clamp(nearest, ends.x, ends.y);
-    vec2 at_ends = vec2(ew_distance_squared_at(arc, ends.x), ew_distance_squared_at(arc, ends.y));
-    ew_portion portion = ew_portion(ends, at_ends, nearest, ew_distance_squared_at(arc, nearest));
+    vec2 at_ends = vec2(0.0);
+    float at_nearest = 0.0;
+    // A loop over the three places, because compilers put the distance into the shader for every place that calls it.
+    for (int i = 0; i < 3; ++i) {
+        at_nearest = ew_distance_squared_at(arc, mix(mix(nearest, ends.y, i == 1), ends.x, i == 0));
+        at_ends = mix(at_ends, vec2(at_nearest), bvec2(i == 0, i == 1));
+    }
+    ew_portion portion = ew_portion(ends, at_ends, nearest, at_nearest);
     portion.nearest = mix(portion.nearest, ends.x, portion.at_ends.x < portion.at_nearest);
     portion.at_nearest = min(portion.at_nearest, portion.at_ends.x);
     portion.nearest = mix(portion.nearest, ends.y, portion.at_ends.y < portion.at_nearest);
@@ -134,9 +137,14 @@ float ew_least_b2(ew_arc arc, ew_passage passage, vec2 part)
 float ew_integrate_stretch(ew_arc arc, ew_approaches approaches, float from, float to, float sum, float others)
 {
     ew_passage passage = ew_passage_of_stretch(arc, approaches, from, to);
-    ew_portion portion = ew_clip(arc, ew_make_portion(arc, passage.s0, vec2(from, to)), false);
-    vec2 part = portion.ends;
-    passage.core = ew_clip(arc, portion, true).ends;
+    ew_portion portion = ew_make_portion(arc, passage.s0, vec2(from, to));
+    vec2 part;
+    // A loop over the reach and the core in it, because compilers put the search into the shader for every place that calls it.
+    for (int edge = 0; edge < 2; ++edge) {
+        portion = ew_clip(arc, portion, edge == 1);
+        if (edge == 0) part = portion.ends;
+    }
+    passage.core = portion.ends;
     passage.b2 = ew_least_b2(arc, passage, part);
 #ifdef EW_FOG
     float reciprocal = ew_integrate_in_fog(passage.b2, passage.k, passage.s0, part, passage.core, vec4(1.0, 0.0, 0.0, 0.0), arc.glow);
@@ -226,6 +234,9 @@ float ew_integrate(ew_segment segment, ew_curve_block curve, vec2 chord, float o
     ew_cell last_cell = ew_cell_of_end(arc, arc.last, -1.0);
     vec2 first, last;
     ew_find_parts(arc, first_cell, last_cell, chord, first, last);
-    float sum = ew_integrate_end(arc, arc.first, first) + ew_integrate_end(arc, arc.last, last);
+    float sum = 0.0;
+    // A loop, because compilers put the integral into the shader for every place that calls it.
+    for (int end = 0; end < 2; ++end)
+        sum += ew_integrate_end(arc, mix(arc.first, arc.last, end == 1), mix(first, last, bvec2(end == 1)));
     return ew_add_stretches(arc, first_cell, last_cell, first, last, chord, sum, others);
 }

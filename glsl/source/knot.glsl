@@ -1,14 +1,19 @@
 // The knots of the weights along a stretch. The nearest point moves along its arm one way, so the knots that it passes follow
 // from the weight pieces at both ends of the stretch. Without weights there is one piece, 0, and no knot.
 
-// In which of the arc's weight pieces the point nearest to L(s) is.
-float ew_piece_at(ew_arc arc, float s)
+// In which of the arc's weight pieces the points nearest to L(s) are, at three places s.
+vec3 ew_pieces_at(ew_arc arc, vec3 s)
 {
+    vec3 pieces = vec3(0.0);
 #ifdef EW_WEIGHTS
-    return clamp(floor((arc.place + (ew_tau_on_arm(arc, s) - arc.first) * arc.place_slope) * arc.piece_count), 0.0, max(arc.piece_count - 1.0, 0.0));
-#else
-    return 0.0;
+    // A loop, because compilers put the search for the nearest point into the shader for every place that calls it.
+    for (int i = 0; i < 3; ++i) {
+        float tau = ew_tau_on_arm(arc, mix(mix(s.x, s.y, i == 1), s.z, i == 2));
+        float piece = floor((arc.place + (tau - arc.first) * arc.place_slope) * arc.piece_count);
+        pieces = mix(pieces, vec3(clamp(piece, 0.0, max(arc.piece_count - 1.0, 0.0))), bvec3(i == 0, i == 1, i == 2));
+    }
 #endif
+    return pieces;
 }
 
 // Whether there is a knot between the pieces `piece` and `last_piece`.

@@ -90,7 +90,8 @@ ew_approaches ew_find_approaches(ew_arc arc)
 }
 
 // The passage for a stretch around `middle` on which arc.arm is nearest, at whichever of its closest approaches is nearer.
-ew_passage ew_passage_of_arm(ew_arc arc, ew_approaches approaches, float middle)
+// Beyond the tip of an arc that is folded back on itself (`is_fold`), it is that of the tip, one point all along, like an end.
+ew_passage ew_passage_of_arm(ew_arc arc, ew_approaches approaches, float middle, out bool is_fold)
 {
     vec2 equation = arc.equation_start + middle * arc.equation_growth;
     bool is_either_arm = !arc.has_arms || equation.x >= 0.0;
@@ -99,5 +100,7 @@ ew_passage ew_passage_of_arm(ew_arc arc, ew_approaches approaches, float middle)
     remoteness.y += mix(0.0, 1e6, !is_either_arm && approaches.tau.y * arc.arm < 0.0);
     float tau = mix(approaches.tau.x, approaches.tau.y, remoteness.y < remoteness.x);
     bool is_far = abs(tau - 0.5 * (arc.first + arc.last)) > 1.0;
-    return ew_passage_at(arc, mix(tau, clamp(tau, arc.first, arc.last), is_far), false, is_far);
+    tau = mix(tau, clamp(tau, arc.first, arc.last), is_far);
+    is_fold = arc.has_vertex && arc.slope_x == 0.0 && equation.x > 0.0;
+    return ew_passage_at(arc, mix(tau, 0.0, is_fold), is_fold, is_far);
 }

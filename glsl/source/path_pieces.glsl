@@ -6,10 +6,11 @@ const int EW_MAX_PATH_PIECES = 600;
 // The weight at t along a path.
 float ew_path_weight(ew_path_block path, float t)
 {
+    float weight = 1.0;
 #ifdef EW_WEIGHTS
-    if (path.weights.y > 0.0) return ew_weight(t, path.weights.x, path.weights.y);
+    if (path.weights.y > 0.0) weight = ew_weight(t, path.weights.x, path.weights.y);
 #endif
-    return 1.0;
+    return weight;
 }
 
 #ifdef EW_JOINTS

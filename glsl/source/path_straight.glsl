@@ -13,9 +13,13 @@ float ew_integrate_line_of_piece(ew_segment segment, ew_slab slab, ew_path_block
 {
     vec2 between = mix(vec2(planes.end, planes.start), vec2(planes.start, planes.end), bvec2(planes.is_along));
 #ifdef EW_WEIGHTS
-    if (path.weights.y > 0.0) return ew_integrate_weighted_slab(segment, slab, path, between);
-#endif
+    float sum = 0.0;
+    if (path.weights.y > 0.0) sum = ew_integrate_weighted_slab(segment, slab, path, between);
+    else sum = ew_integrate_slab(segment, slab, between, path.glow);
+    return sum;
+#else
     return ew_integrate_slab(segment, slab, between, path.glow);
+#endif
 }
 
 #ifdef EW_JOINTS

@@ -72,17 +72,16 @@ float ew_integrate_weighted_side(float b2, float k, float s0, float from, float 
     float d_from = sqrt(b2 + k * y_from * y_from);
     float d_to = sqrt(b2 + k * y_to * y_to);
     float least2 = mix(b2, ew_square(min(d_from, d_to)), y_from * y_to > 0.0);
-    if (k * ew_square(0.5 * (to - from)) < 0.1 * least2) {
-        vec4 y = y_from + (to - from) * EW_PATH_NODES;
-        vec4 weight = polynomial.x + y * (polynomial.y + y * polynomial.z);
-        return (to - from) * dot(EW_PATH_NODE_WEIGHTS, weight * (inversesqrt(b2 + k * y * y) - ew_inverse_reach(glow)));
-    }
+    vec4 y = y_from + (to - from) * EW_PATH_NODES;
+    vec4 weight = polynomial.x + y * (polynomial.y + y * polynomial.z);
+    float of_nodes = (to - from) * dot(EW_PATH_NODE_WEIGHTS, weight * (inversesqrt(b2 + k * y * y) - ew_inverse_reach(glow)));
     float moment0 = ew_integrate_reciprocal(b2, k, s0, from, to);
     float moment1 = (to - from) * (y_from + y_to) / max(d_from + d_to, 1e-30);
     float moment2 = 0.5 * (y_to * d_to - y_from * d_from - b2 * moment0) / k;
     float way = y_to - y_from;
     vec3 at_reach = way * vec3(1.0, 0.5 * (y_to + y_from), (y_to * y_to + y_to * y_from + y_from * y_from) / 3.0);
-    return dot(polynomial, vec3(moment0, moment1, moment2) - ew_inverse_reach(glow) * at_reach);
+    float of_moments = dot(polynomial, vec3(moment0, moment1, moment2) - ew_inverse_reach(glow) * at_reach);
+    return mix(of_moments, of_nodes, k * ew_square(0.5 * (to - from)) < 0.1 * least2);
 }
 
 // The same as ew_integrate_slab for a part of the piece on which the weight is one polynomial of the place along it.
@@ -105,8 +104,11 @@ float ew_integrate_weighted_part(ew_segment segment, ew_slab slab, vec2 part, ve
     vec4 weight = polynomial.x + y * (polynomial.y + y * polynomial.z);
     vec4 radius2 = vec4(ew_core2(glow, s.x), ew_core2(glow, s.y), ew_core2(glow, s.z), ew_core2(glow, s.w));
     float sum = (core.y - core.x) * dot(EW_PATH_NODE_WEIGHTS, weight * (inversesqrt(radius2) - ew_inverse_reach(glow)));
-    if (part.x < core.x) sum += ew_integrate_weighted_side(b2, k, s0, part.x, core.x, polynomial, glow);
-    if (core.y < part.y) sum += ew_integrate_weighted_side(b2, k, s0, core.y, part.y, polynomial, glow);
+    // A loop, because compilers put the integral into the shader for every place that calls it.
+    for (int i = 0; i < 2; ++i) {
+        vec2 side = mix(vec2(part.x, core.x), vec2(core.y, part.y), bvec2(i == 1));
+        if (side.x < side.y) sum += ew_integrate_weighted_side(b2, k, s0, side.x, side.y, polynomial, glow);
+    }
     ew_evaluation_count += 1;
     return sum;
 }

@@ -117,7 +117,8 @@ struct ew_progress {
 };
 
 // The first side: the near one, if there is one, or the whole of a stretch with a wide peak.
-ew_progress ew_start_stretch(ew_stretch stretch, float from_piece, float center_piece, float to_piece)
+// `pieces` are the weight pieces at its beginning, its center and its end.
+ew_progress ew_start_stretch(ew_stretch stretch, vec3 pieces)
 {
     bool has_near_side = stretch.x_from > stretch.starts.x;
     bool ends_at_from = has_near_side || stretch.is_wide;
@@ -125,21 +126,21 @@ ew_progress ew_start_stretch(ew_stretch stretch, float from_piece, float center_
     progress.x = mix(mix(stretch.starts.y, stretch.starts.x, has_near_side), stretch.x_to, stretch.is_wide);
     progress.remaining = mix(stretch.x_to, stretch.x_from, ends_at_from) - progress.x;
     progress.proposal = clamp(progress.remaining, -stretch.first_panel, stretch.first_panel);
-    progress.piece = mix(center_piece, to_piece, stretch.is_wide);
-    progress.last_piece = mix(to_piece, from_piece, ends_at_from);
+    progress.piece = mix(pieces.y, pieces.z, stretch.is_wide);
+    progress.last_piece = mix(pieces.z, pieces.x, ends_at_from);
     progress.starts_at_zero = stretch.is_inside && !stretch.is_wide;
     progress.is_last_side = stretch.is_wide || !has_near_side || stretch.x_to == stretch.starts.y;
     return progress;
 }
 
-ew_progress ew_start_far_side(ew_stretch stretch, float center_piece, float to_piece)
+ew_progress ew_start_far_side(ew_stretch stretch, vec3 pieces)
 {
     ew_progress progress;
     progress.x = stretch.starts.y;
     progress.remaining = stretch.x_to - progress.x;
     progress.proposal = max(progress.remaining, -stretch.first_panel);
-    progress.piece = center_piece;
-    progress.last_piece = to_piece;
+    progress.piece = pieces.y;
+    progress.last_piece = pieces.z;
     progress.starts_at_zero = stretch.is_inside;
     progress.is_last_side = true;
     return progress;
@@ -211,11 +212,9 @@ float ew_integrate_rest(ew_arc arc, ew_passage passage, float from, float to, fl
 #ifdef EW_WORLD
     passage.core -= stretch.center;
 #endif
-    float from_piece = ew_piece_at(arc, from - stretch.center);
-    float center_piece = ew_piece_at(arc, 0.0);
-    float to_piece = ew_piece_at(arc, to - stretch.center);
+    vec3 pieces = ew_pieces_at(arc, vec3(from - stretch.center, 0.0, to - stretch.center));
 
-    ew_progress progress = ew_start_stretch(stretch, from_piece, center_piece, to_piece);
+    ew_progress progress = ew_start_stretch(stretch, pieces);
     float sum = 0.0;
     for (int panel = 0; panel < EW_MAX_PANELS; ++panel) {
         bool is_last_try = panel >= EW_MAX_PANELS - EW_LAST_TRIES;
@@ -255,7 +254,7 @@ float ew_integrate_rest(ew_arc arc, ew_passage passage, float from, float to, fl
         bool is_side_done = is_fine && width == progress.remaining;
         if (is_side_done && progress.is_last_side) break;
         progress = ew_advance(stretch, progress, width, is_at_knot, is_fine, is_last_try);
-        if (is_side_done) progress = ew_start_far_side(stretch, center_piece, to_piece);
+        if (is_side_done) progress = ew_start_far_side(stretch, pieces);
     }
     return sum;
 }
