@@ -20,14 +20,18 @@ void ew_start_picking(float light)
     ew_pick_sum = 0.0;
 }
 #define EW_IS_SHADED(source) (light * source.color.w * ew_light_gain() > EW_LEAST_SHADED)
-#define EW_PICK(source) ew_start_picking(light); ew_irradiance_of(surface, source); ew_pick_sums = vec4(-1.0);
-#define EW_SHADE(source) EW_PICK(source) light *= ew_visible_share(surface, ew_light_core(source.glow));
-#define EW_CAST(source) if (EW_IS_SHADED(source)) { EW_SHADE(source) }
+// The light, and where it casts a shadow once more, to pick from it. A loop, because compilers put the light into the shader for every
+// place that calls it.
+#define EW_LIGHT_OR_PICK(source) light = mix(ew_irradiance_of(surface, source), light, picks); picks = !picks && EW_IS_SHADED(source);
+#define EW_LIGHT_AND_PICK(source) do { EW_LIGHT_OR_PICK(source) if (picks) ew_start_picking(light); } while (picks);
+#define EW_SHADE(source) ew_pick_sums = vec4(-1.0); light *= ew_visible_share(surface, ew_light_core(source.glow));
+#define EW_CAST(source) EW_LIGHT_AND_PICK(source) if (EW_IS_SHADED(source)) { EW_SHADE(source) }
+#define EW_FIND_LIGHT(source) float light = 0.0; bool picks = false; EW_CAST(source)
 #else
-#define EW_CAST(source)
+#define EW_FIND_LIGHT(source) float light = ew_irradiance_of(surface, source);
 #endif
 
-#define EW_RECEIVE(source) float light = ew_irradiance_of(surface, source); EW_CAST(source) sum += ew_shine(source.color, light);
+#define EW_RECEIVE(source) EW_FIND_LIGHT(source) sum += ew_shine(source.color, light);
 #define EW_SHINE(block, read) block source = read(EW_PLACE(i)); EW_RECEIVE(source) ++i;
 #undef EW_ADD_KIND
 #define EW_ADD_KIND(block, read, kind, count) EW_EACH(kind, count, if (i < end) { do { EW_SHINE(block, read) } while (i < end); })
