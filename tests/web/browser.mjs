@@ -16,6 +16,17 @@ function renderer() {
     return info ? gl.getParameter(info.UNMASKED_RENDERER_WEBGL) : 'nothing';
 }
 
+// To be run in a page: takes an extension of WebGL 2 away from contexts that are made from then on.
+export function hideExtension(extension) {
+    const { getExtension, getSupportedExtensions } = WebGL2RenderingContext.prototype;
+    WebGL2RenderingContext.prototype.getExtension = function (name) {
+        return name === extension ? null : getExtension.call(this, name);
+    };
+    WebGL2RenderingContext.prototype.getSupportedExtensions = function () {
+        return getSupportedExtensions.call(this).filter((name) => name !== extension);
+    };
+}
+
 // Opens a page in a browser that draws by `rasteriser`, with a profile of its own in `folder`. Needs a display, since Chromium draws
 // by llvmpipe only to a window. `options` are Playwright's.
 export async function launch(rasteriser, folder, address, options = {}) {

@@ -2,7 +2,7 @@
 // Usage: site.mjs SITE NATIVE_BUILD FOLDER; run where the repository is
 import { execFileSync } from 'node:child_process';
 import { mkdirSync, readdirSync, readFileSync, rmSync, statSync, writeFileSync } from 'node:fs';
-import { launch } from './browser.mjs';
+import { hideExtension, launch } from './browser.mjs';
 import { darkScene } from './dark.mjs';
 import { inFolder, serve } from './serve.mjs';
 
@@ -325,6 +325,14 @@ const tests = {
         await rests();
         expect((await savedScene()).opaque.length === 2, 'the scene is gone');
         faults.length = before; // without the browser's own warning of the loss
+    },
+    'where there are no float textures it says so': async () => {
+        const bare = await browser.newPage();
+        await bare.addInitScript(hideExtension, 'EXT_color_buffer_float');
+        await bare.goto(address);
+        await bare.waitForFunction(() => /^This GPU cannot draw to float textures/.test(document.getElementById('loading-text').textContent));
+        expect(await bare.isVisible('#loading-text'), 'the sentence is not to be seen');
+        await bare.close();
     },
     'split screen and maps': async () => {
         await startFrom('beam-struggle');
