@@ -5,7 +5,7 @@ vec2 ew_view_depth = vec2(0.0);
 
 #ifdef EW_CORE_PIXELS
 // The squared radius that a core has at the eye.
-float ew_core_radius2(vec4 glow)
+float ew_core_radius2(const vec4 glow)
 {
     return glow.x * glow.x + ew_frame.core_floor.z;
 }
@@ -17,32 +17,32 @@ float ew_core_growth2()
 }
 
 // The squared radius at s: r^2 + (k / 2 rho z)^2, so that no core is thinner than the pixels it is seen by.
-float ew_core2(vec4 glow, float s)
+float ew_core2(const vec4 glow, const float s)
 {
     float depth = ew_view_depth.x + s * ew_view_depth.y;
     return ew_core_radius2(glow) + ew_frame.core_floor.x * depth * depth;
 }
 
 // How fast it grows there: half of the squared radius's growth, relative to that.
-float ew_core_tilt(vec4 glow, float s)
+float ew_core_tilt(const vec4 glow, const float s)
 {
     float depth = ew_view_depth.x + s * ew_view_depth.y;
     return ew_frame.core_floor.x * depth * ew_view_depth.y / ew_core2(glow, s);
 }
 #else
-float ew_core2(vec4 glow, float s)
+float ew_core2(const vec4 glow, const float s)
 {
     return glow.x * glow.x;
 }
 
-float ew_core_tilt(vec4 glow, float s)
+float ew_core_tilt(const vec4 glow, const float s)
 {
     return 0.0;
 }
 #endif
 
 // Where the core is as wide as the reach, nothing is left of the light: the s at which that begins.
-float ew_last_lit(vec4 glow)
+float ew_last_lit(const vec4 glow)
 {
 #ifdef EW_CORE_PIXELS
     float radius2 = glow.y * glow.y - ew_core_radius2(glow);
@@ -54,7 +54,7 @@ float ew_last_lit(vec4 glow)
 }
 
 // In the world integral every source has a reach, and compilers need not ask.
-bool ew_has_reach(vec4 glow)
+bool ew_has_reach(const vec4 glow)
 {
 #ifdef EW_WORLD
     return true;
@@ -64,7 +64,7 @@ bool ew_has_reach(vec4 glow)
 }
 
 // 1 / R; 0 without a reach.
-float ew_inverse_reach(vec4 glow)
+float ew_inverse_reach(const vec4 glow)
 {
 #ifdef EW_REACH
     return mix(0.0, 1.0 / glow.y, glow.y > 0.0);
@@ -74,14 +74,14 @@ float ew_inverse_reach(vec4 glow)
 }
 
 // The part of [0, end] on which b2 + k (s - s0)^2 < radius^2; empty, x >= y, where there is none.
-vec2 ew_chord_of(float b2, float k, float s0, float radius, float end)
+vec2 ew_chord_of(const float b2, const float k, const float s0, const float radius, const float end)
 {
     float half_chord = sqrt(max((radius - sqrt(b2)) * (radius + sqrt(b2)), 0.0) / k);
     return vec2(clamp(s0 - half_chord, 0.0, end), clamp(s0 + half_chord, 0.0, end));
 }
 
 // The part of a segment that is within `radius` of `center`.
-vec2 ew_sphere_chord(ew_segment segment, vec3 center, float radius)
+vec2 ew_sphere_chord(const ew_segment segment, const vec3 center, const float radius)
 {
     vec3 to_center = center - segment.origin;
     float k = ew_length_squared(segment.direction);

@@ -28,7 +28,7 @@ struct ew_mapped_zero {
     float scale2; // |x - zero| = |t - zero| sqrt(scale2) / (2 (1 - m t))
 };
 
-ew_mapped_zero ew_map_zero(vec2 zero_x, ew_panel panel)
+ew_mapped_zero ew_map_zero(const vec2 zero_x, const ew_panel panel)
 {
     vec2 own = vec2(2.0 * (zero_x.x - panel.from) - panel.size, 2.0 * zero_x.y);
     vec2 own_scale = vec2(panel.size + panel.m * own.x, panel.m * own.y);
@@ -48,7 +48,7 @@ struct ew_moments {
 
 // By the recursion i M_i = [t^(i-1) r] + (2 i - 1) place M_(i-1) - (i - 1) square M_(i-2) with r = |t - zero|. Beyond
 // |zero| = 2 it subtracts large numbers.
-ew_moments ew_find_moments(ew_mapped_zero zero)
+ew_moments ew_find_moments(const ew_mapped_zero zero)
 {
     vec2 to_ends = abs(vec2(1.0 + zero.place, 1.0 - zero.place));
     vec2 r = sqrt(to_ends * to_ends + zero.height2);

@@ -5,7 +5,7 @@
 //
 // Near w = 0 it grows like -log(w) / 2. One polynomial in w plus log w times another is the usual form for approximations of
 // complete elliptic integrals. Relative error 4e-7.
-float ew_atanh_remainder(float w)
+float ew_atanh_remainder(const float w)
 {
     float regular = -0.30684891 + w * (-0.20458833 + w * (0.02000992 + w * (0.56809512 + w * 0.25666545)));
     float singular = 0.34657341 + w * (0.51913897 + w * (0.60583716 + w * (0.39220929 + w * 0.05375421)));
@@ -14,7 +14,7 @@ float ew_atanh_remainder(float w)
 
 #ifdef EW_WORLD
 // The integral over s in [from, to] of 1: how much the part of the ray counts.
-float ew_measure(float from, float to)
+float ew_measure(const float from, const float to)
 {
     return to - from;
 }
@@ -26,7 +26,7 @@ float ew_measure(float from, float to)
 //
 // the limit of the papers' for a large beta. 1 - k q^2 is half_cosine over ((d_from + d_to) / 2)^2, written as there. Relative
 // error 1e-6.
-float ew_integrate_reciprocal(float b2, float k, float s0, float from, float to)
+float ew_integrate_reciprocal(const float b2, const float k, const float s0, const float from, const float to)
 {
     float y_from = from - s0;
     float y_to = to - s0;
@@ -42,7 +42,7 @@ float ew_integrate_reciprocal(float b2, float k, float s0, float from, float to)
 }
 #else
 // The integral over s in [from, to] of 1 / (s + beta)^2: how much the part of the ray counts.
-float ew_measure(float from, float to)
+float ew_measure(const float from, const float to)
 {
     return (to - from) / ((from + ew_beta()) * (to + ew_beta()));
 }
@@ -58,7 +58,7 @@ float ew_measure(float from, float to)
 // a sum of positive terms. F needs w = 1 - c q^2 without cancellation. w is cos^2 of half the angle between the directions from
 // the source to the two ends, times positive factors. If the ends lie on different sides of s0, half_cosine would be a
 // difference of nearly equal numbers; it is rewritten as b2 times a sum. Relative error 1e-6.
-float ew_integrate_reciprocal(float b2, float k, float s0, float from, float to)
+float ew_integrate_reciprocal(const float b2, const float k, const float s0, const float from, const float to)
 {
     float beta = ew_beta();
     float y_from = from - s0;
@@ -91,7 +91,7 @@ float ew_integrate_reciprocal(float b2, float k, float s0, float from, float to)
 //
 // Only a ray that looks along a line has k < g: from the further root on it stays in the core. Before the nearer root it is in the
 // core, too, which only an eye in the core can see; its ray then has only that part.
-vec2 ew_find_core(float b2, float k, float s0, vec4 glow)
+vec2 ew_find_core(const float b2, const float k, const float s0, const vec4 glow)
 {
     float growth2 = ew_core_growth2();
     float middle = ew_frame.core_floor.x * ew_view_depth.y * (ew_view_depth.x + s0 * ew_view_depth.y);
@@ -112,7 +112,7 @@ vec2 ew_find_core(float b2, float k, float s0, vec4 glow)
 
 #ifdef EW_FOG
 // The same, whether cores are as wide as pixels or not.
-vec2 ew_core_of(float b2, float k, float s0, vec4 glow)
+vec2 ew_core_of(const float b2, const float k, const float s0, const vec4 glow)
 {
 #ifdef EW_CORE_PIXELS
     return ew_find_core(b2, k, s0, glow);
@@ -125,7 +125,7 @@ vec2 ew_core_of(float b2, float k, float s0, vec4 glow)
 
 #ifdef EW_WORLD
 // 2 atanh(x) / x of x2 = x^2 < 0.1. Relative error 1e-7.
-float ew_atanh_series(float x2)
+float ew_atanh_series(const float x2)
 {
     return 2.0 + x2 * (0.66666667 + x2 * (0.4 + x2 * (0.28571429 + x2 * (0.22222222 + x2 * 0.18181818))));
 }
@@ -133,7 +133,7 @@ float ew_atanh_series(float x2)
 #ifdef EW_CORE_PIXELS
 // The integral of 1 / r' over a part of a core, between whose ends r' grows from radius.x to radius.y or falls: a closed form
 // of its own, that of a reciprocal distance from the eye.
-float ew_integrate_core(vec2 radius, float size)
+float ew_integrate_core(const vec2 radius, const float size)
 {
     float q = size / (radius.x + radius.y);
     float x2 = ew_core_growth2() * q * q;
@@ -150,7 +150,7 @@ float ew_integrate_core(vec2 radius, float size)
 //     (d(y_after) + sqrt(k) y_after) / (d(y_before) - sqrt(k) y_before),   y_after = max(y, core.y), y_before = min(y, core.x),
 //
 // at the one end over the other: sums of positive terms.
-float ew_integrate_outside(float b2, float k, vec2 y, vec2 core)
+float ew_integrate_outside(const float b2, const float k, const vec2 y, const vec2 core)
 {
     float root_k = sqrt(k);
     vec2 after = max(y, core.yy);
@@ -166,7 +166,7 @@ float ew_integrate_outside(float b2, float k, vec2 y, vec2 core)
 }
 
 // The integral over s in [from, to] of 1 / r'. Relative error 1e-6.
-float ew_integrate_core(float from, float to, vec4 glow)
+float ew_integrate_core(const float from, const float to, const vec4 glow)
 {
 #ifdef EW_CORE_PIXELS
     return ew_integrate_core(sqrt(vec2(ew_core2(glow, from), ew_core2(glow, to))), to - from);
@@ -177,7 +177,8 @@ float ew_integrate_core(float from, float to, vec4 glow)
 
 // The integral over s in [from, to] of 1 / max(r', sqrt(b2 + k (s - s0)^2)): the core, and what lies before and behind it. Relative
 // error 1e-6, of what a ray through the core has.
-float ew_integrate_floored_reciprocal(float b2, float k, float s0, float from, float to, vec4 glow)
+float ew_integrate_floored_reciprocal(const float b2, const float k, const float s0, const float from, const float to,
+                                      const vec4 glow)
 {
     vec2 y = vec2(from, to) - s0;
 #ifdef EW_CORE_PIXELS
@@ -192,7 +193,8 @@ float ew_integrate_floored_reciprocal(float b2, float k, float s0, float from, f
 }
 #elif defined(EW_CORE_PIXELS)
 // The same with the decay 1 / (s + beta)^2. Relative error 1e-6.
-float ew_integrate_floored_reciprocal(float b2, float k, float s0, float from, float to, vec4 glow)
+float ew_integrate_floored_reciprocal(const float b2, const float k, const float s0, const float from, const float to,
+                                      const vec4 glow)
 {
     vec2 core = clamp(s0 + ew_find_core(b2, k, s0, glow), from, to);
     if (core.x == core.y) core = vec2(to);
@@ -207,7 +209,8 @@ float ew_integrate_floored_reciprocal(float b2, float k, float s0, float from, f
 #else
 // The integral over s in [from, to] of 1 / (max(epsilon, sqrt(b2 + k (s - s0)^2)) (s + beta)^2), or without the decay: the core,
 // in which the field is constant, and what lies before and behind it. Relative error 1e-6, like the closed form's.
-float ew_integrate_floored_reciprocal(float b2, float k, float s0, float from, float to, vec4 glow)
+float ew_integrate_floored_reciprocal(const float b2, const float k, const float s0, const float from, const float to,
+                                      const vec4 glow)
 {
     float epsilon = glow.x;
     float half_core = sqrt(max(epsilon * epsilon - b2, 0.0) / k);
@@ -228,7 +231,7 @@ float ew_integrate_floored_reciprocal(float b2, float k, float s0, float from, f
 
 #ifndef EW_FOG
 // The same, less 1 / R: what a source with a reach has between two places that are within it.
-float ew_integrate_within_reach(float b2, float k, float s0, vec2 part, vec4 glow)
+float ew_integrate_within_reach(const float b2, const float k, const float s0, const vec2 part, const vec4 glow)
 {
     float sum = ew_integrate_floored_reciprocal(b2, k, s0, part.x, part.y, glow);
 #ifdef EW_REACH

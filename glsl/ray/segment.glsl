@@ -19,12 +19,12 @@ struct ew_segment {
 // How many times the distance to a source was evaluated.
 int ew_evaluation_count = 0;
 
-float ew_square(float x)
+float ew_square(const float x)
 {
     return x * x;
 }
 
-float ew_length_squared(vec3 v)
+float ew_length_squared(const vec3 v)
 {
     return dot(v, v);
 }

@@ -33,7 +33,7 @@ struct ew_arc {
 #endif
 };
 
-ew_arc ew_make_arc(ew_segment segment, ew_curve_block curve)
+ew_arc ew_make_arc(const ew_segment segment, const ew_curve_block curve)
 {
     mat3 frame = mat3(curve.axis_x.xyz, curve.axis_y.xyz, curve.axis_z.xyz);
     ew_arc arc;
@@ -67,7 +67,7 @@ ew_arc ew_make_arc(ew_segment segment, ew_curve_block curve)
 
 // A step of Halley's method towards a zero of ((cubic tau + quadratic) tau + linear) tau - constant, but no longer than two
 // steps of Newton's method: unless `quadratic` is 0, the start may be anywhere.
-float ew_step_to_minimum(float cubic, float quadratic, float linear, float constant, float tau)
+float ew_step_to_minimum(const float cubic, const float quadratic, const float linear, const float constant, const float tau)
 {
     float cubic3 = 3.0 * cubic;
     float value = ((cubic * tau + quadratic) * tau + linear) * tau - constant;
@@ -77,7 +77,7 @@ float ew_step_to_minimum(float cubic, float quadratic, float linear, float const
 }
 
 // The cube root of x > 0 with a relative error of 4e-2. The bits of a float are nearly its logarithm.
-float ew_rough_cube_root(float x)
+float ew_rough_cube_root(const float x)
 {
     return intBitsToFloat(int(float(floatBitsToInt(x)) * (1.0 / 3.0)) + 709921077);
 }
@@ -86,7 +86,7 @@ float ew_rough_cube_root(float x)
 // distance has its minimum there. For linear > 0 it is the only one; otherwise, the outermost on the side of `arm`, 1 or -1.
 //
 // For quadratic = 0 the start is within 11 %, and each step cubes the error: 2e-10 after two, if it were not for rounding.
-float ew_distance_minimum(float cubic, float quadratic, float linear, float constant, float arm)
+float ew_distance_minimum(const float cubic, const float quadratic, const float linear, const float constant, const float arm)
 {
     float third = ew_rough_cube_root(max(cubic * constant * constant, 1e-37));
     float excess = max(mix(-1.26 * third, third, arm * constant >= 0.0) - linear, 0.0);
@@ -101,7 +101,7 @@ float ew_distance_minimum(float cubic, float quadratic, float linear, float cons
 
 // Both such roots: x is the one on the side of `constant`; y is the other one, or x again if there is none. For quadratic = 0,
 // x is the nearest point of the whole parabola.
-vec2 ew_distance_minima(float cubic, float quadratic, float linear, float constant)
+vec2 ew_distance_minima(const float cubic, const float quadratic, const float linear, const float constant)
 {
     float arm = mix(1.0, -1.0, constant < 0.0);
     float tau = ew_distance_minimum(cubic, quadratic, linear, constant, arm);
@@ -111,14 +111,14 @@ vec2 ew_distance_minima(float cubic, float quadratic, float linear, float consta
 }
 
 // The squared distance from the place `position` in the arc's frame to the parabola's point at `tau`.
-float ew_arc_distance_squared(ew_arc arc, vec3 position, float tau)
+float ew_arc_distance_squared(const ew_arc arc, const vec3 position, const float tau)
 {
     vec2 difference = position.xy - vec2(arc.slope_x * tau, (arc.slope_y + arc.bend * tau) * tau);
     return dot(difference, difference) + position.z * position.z;
 }
 
 // tau of the point on arc.arm that is nearest to L(s), clamped to the arc.
-float ew_tau_on_arm(ew_arc arc, float s)
+float ew_tau_on_arm(const ew_arc arc, const float s)
 {
     vec2 equation = arc.equation_start + s * arc.equation_growth;
     float arm = mix(mix(1.0, -1.0, equation.y < 0.0), arc.arm, arc.arm != 0.0);
@@ -126,7 +126,7 @@ float ew_tau_on_arm(ew_arc arc, float s)
     return clamp(tau, arc.first, arc.last);
 }
 
-bool ew_has_weights(ew_arc arc)
+bool ew_has_weights(const ew_arc arc)
 {
 #ifdef EW_WEIGHTS
     return arc.piece_count > 0.0;
@@ -136,7 +136,7 @@ bool ew_has_weights(ew_arc arc)
 }
 
 // The weight at `tau`, equation (15); 1 without weights.
-float ew_arc_weight(ew_arc arc, float tau)
+float ew_arc_weight(const ew_arc arc, const float tau)
 {
     float weight = 1.0;
 #ifdef EW_WEIGHTS
@@ -147,7 +147,7 @@ float ew_arc_weight(ew_arc arc, float tau)
 }
 
 // The squared radius of the arc's core at s.
-float ew_arc_core2(ew_arc arc, float s)
+float ew_arc_core2(const ew_arc arc, const float s)
 {
     return ew_core2(arc.glow, arc.center + s);
 }

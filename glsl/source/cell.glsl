@@ -1,7 +1,7 @@
 // The part of a ray on which an end of an arc is its nearest point.
 
 // The part of the ray's [0, end] on which start + s growth >= 0; empty, x >= y, if there is none.
-vec2 ew_part_above_zero(float start, float growth, float end)
+vec2 ew_part_above_zero(const float start, const float growth, const float end)
 {
     bool is_constant = growth == 0.0;
     float zero = mix(clamp(-start / growth, 0.0, end), mix(end, 0.0, start >= 0.0), is_constant);
@@ -26,7 +26,7 @@ struct ew_cell {
     vec2 constant;
 };
 
-ew_cell ew_cell_of_end(ew_arc arc, float tau, float inward)
+ew_cell ew_cell_of_end(const ew_arc arc, const float tau, const float inward)
 {
     ew_cell cell;
     cell.inward = inward;
@@ -38,7 +38,7 @@ ew_cell ew_cell_of_end(ew_arc arc, float tau, float inward)
 }
 
 // h(u, s) and its derivative by s. Between the arms of a hairpin h is small; in this form it does not cancel.
-vec2 ew_farther_off(ew_arc arc, ew_cell cell, float u, float s)
+vec2 ew_farther_off(const ew_arc arc, const ew_cell cell, const float u, const float s)
 {
     vec2 towards = vec2(cell.inward * arc.slope_x, cell.inward * arc.slope_y + arc.bend * (2.0 * cell.inward * cell.tau + u));
     return vec2(dot(towards, u * towards + 2.0 * (cell.end - s * arc.direction.xy)), -2.0 * dot(towards, arc.direction.xy));
@@ -46,7 +46,7 @@ vec2 ew_farther_off(ew_arc arc, ew_cell cell, float u, float s)
 
 // One cut with the plane between the end and the arc's point that is nearest to L(s): the first place from s on, in
 // `direction`, that is as far from both. If the end itself is nearest to L(s), that is s.
-float ew_cut(ew_arc arc, ew_cell cell, float s, float direction, float end)
+float ew_cut(const ew_arc arc, const ew_cell cell, const float s, const float direction, const float end)
 {
     float bend2 = arc.bend * arc.bend;
     float quadratic = 2.0 * cell.slope.y * arc.bend;
@@ -60,7 +60,7 @@ float ew_cut(ew_arc arc, ew_cell cell, float s, float direction, float end)
 }
 
 // What two planes leave of the ray: that of u = 0, through the end, and that of u = 1, which bisects the two ends.
-vec2 ew_part_between_planes(ew_arc arc, ew_cell cell, float end)
+vec2 ew_part_between_planes(const ew_arc arc, const ew_cell cell, const float end)
 {
     // At the tip of an arc that is folded back on itself, h(0, s) is 0 everywhere, and the next order of u decides.
     bool is_fold = cell.slope == vec2(0.0);
@@ -76,7 +76,7 @@ vec2 ew_part_between_planes(ew_arc arc, ew_cell cell, float end)
 // h is u q(u) + constant, and q is a parabola with its vertex at u = -slope.y / bend. If that is at 1 or beyond, h is at least
 // a mean of its values at 0 and 1. (Of a symmetric arc it is at 1 up to rounding.) Nor is h negative where q is not: it is
 // enough to know q at both ends of the part.
-bool ew_needs_no_cut(ew_arc arc, ew_cell cell, vec2 part)
+bool ew_needs_no_cut(const ew_arc arc, const ew_cell cell, const vec2 part)
 {
     vec2 least_q = ew_square(cell.slope.x) + ew_square(max(cell.slope.y, 0.0)) +
                    2.0 * arc.bend * (cell.end.y - part * arc.direction.y);
@@ -85,7 +85,7 @@ bool ew_needs_no_cut(ew_arc arc, ew_cell cell, vec2 part)
 
 // The cell's part of the ray, exact up to rounding; [end, end] if empty. Cutting planes from both ends are Newton's method on
 // the minimum of h over u, a concave function of s: from outside it cannot miss, and converges quadratically.
-vec2 ew_part_of_cell(ew_arc arc, ew_cell cell, float end)
+vec2 ew_part_of_cell(const ew_arc arc, const ew_cell cell, const float end)
 {
     vec2 part = ew_part_between_planes(arc, cell, end);
     if (EW_IS_NEEDED(!ew_needs_no_cut(arc, cell, part))) {

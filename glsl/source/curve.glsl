@@ -10,7 +10,7 @@ const float EW_OTHERS_SHARE = 0.1;
 
 // The integral over the part of the ray to which the end of the arc at `tau` is nearest: a point's, times the end's weight.
 // Relative error 1e-6.
-float ew_integrate_end(ew_arc arc, float tau, vec2 part)
+float ew_integrate_end(const ew_arc arc, const float tau, vec2 part)
 {
     float sum = 0.0;
     if (EW_IS_NEEDED(part.x < part.y)) {
@@ -29,7 +29,7 @@ float ew_integrate_end(ew_arc arc, float tau, vec2 part)
 // The passage for the stretch [from, to], on which arc.arm is nearest. Its weight is that of the arc's nearest point, even if
 // the passage lies on the parabola beyond the arc: else parts of the arc with weights of 0 would be a difference of two large
 // integrals.
-ew_passage ew_passage_of_stretch(ew_arc arc, ew_approaches approaches, float from, float to)
+ew_passage ew_passage_of_stretch(const ew_arc arc, const ew_approaches approaches, const float from, const float to)
 {
     bool is_fold;
     ew_passage passage = ew_passage_of_arm(arc, approaches, 0.5 * (from + to), is_fold);
@@ -39,13 +39,13 @@ ew_passage ew_passage_of_stretch(ew_arc arc, ew_approaches approaches, float fro
 
 #ifdef EW_REACH
 // The squared distance of the arc from L(s).
-float ew_distance_squared_at(ew_arc arc, float s)
+float ew_distance_squared_at(const ew_arc arc, const float s)
 {
     return ew_arc_distance_squared(arc, arc.start + s * arc.direction, ew_tau_on_arm(arc, s));
 }
 
 // The squared radius of the arc's core or reach at s.
-float ew_radius_squared(ew_arc arc, float s, bool is_core)
+float ew_radius_squared(const ew_arc arc, const float s, const bool is_core)
 {
     return mix(arc.glow.y * arc.glow.y, ew_arc_core2(arc, s), is_core);
 }
@@ -53,7 +53,7 @@ float ew_radius_squared(ew_arc arc, float s, bool is_core)
 // Where between `inner` and `outer` the arc comes out of its core or reach. `excess` is by how much the squared distance is
 // beyond the squared radius: negative at `inner`; if it is not positive at `outer`, all is inside. It grows about with the
 // square of s - inner; the regula falsi (Illinois) in that square takes few steps. An error of the place counts by its square.
-float ew_edge_of(ew_arc arc, float inner, float outer, vec2 excess, bool is_core)
+float ew_edge_of(const ew_arc arc, const float inner, const float outer, vec2 excess, const bool is_core)
 {
     float way = outer - inner;
     float tolerance = 1e-3 * abs(excess.x);
@@ -85,7 +85,7 @@ struct ew_portion {
 
 // The distance falls up to `nearest` and grows from there on. Where rounding or a passage beyond the arc puts the least
 // distance elsewhere, an end of the stretch stands in.
-ew_portion ew_make_portion(ew_arc arc, float nearest, vec2 ends)
+ew_portion ew_make_portion(const ew_arc arc, float nearest, const vec2 ends)
 {
     nearest = clamp(nearest, ends.x, ends.y);
     vec2 at_ends = vec2(0.0);
@@ -104,7 +104,7 @@ ew_portion ew_make_portion(ew_arc arc, float nearest, vec2 ends)
 }
 
 // What of it is within the arc's core or reach.
-ew_portion ew_clip(ew_arc arc, ew_portion portion, bool is_core)
+ew_portion ew_clip(const ew_arc arc, const ew_portion portion, const bool is_core)
 {
     float inner = portion.at_nearest - ew_radius_squared(arc, portion.nearest, is_core);
     vec2 radius2 = vec2(ew_radius_squared(arc, portion.ends.x, is_core), ew_radius_squared(arc, portion.ends.y, is_core));
@@ -123,7 +123,7 @@ ew_portion ew_clip(ew_arc arc, ew_portion portion, bool is_core)
 
 #ifdef EW_WORLD
 // The passage's squared distance at s0, so that where the arc is outside of its core, in `part`, the passage is, too.
-float ew_least_b2(ew_arc arc, ew_passage passage, vec2 part)
+float ew_least_b2(const ew_arc arc, const ew_passage passage, const vec2 part)
 {
     bool is_in_core = passage.s0 > passage.core.x && passage.s0 < passage.core.y;
     vec2 way = abs(passage.core - passage.s0);
@@ -134,7 +134,8 @@ float ew_least_b2(ew_arc arc, ew_passage passage, vec2 part)
 
 // The integral over the stretch [from, to], on which arc.arm is nearest: closed form and rest. In the core the closed form is
 // the arc's own. `sum` is the curve's light so far.
-float ew_integrate_stretch(ew_arc arc, ew_approaches approaches, float from, float to, float sum, float others)
+float ew_integrate_stretch(const ew_arc arc, const ew_approaches approaches, const float from, const float to, const float sum,
+                           const float others)
 {
     ew_passage passage = ew_passage_of_stretch(arc, approaches, from, to);
     ew_portion portion = ew_make_portion(arc, passage.s0, vec2(from, to));
@@ -163,7 +164,8 @@ float ew_integrate_stretch(ew_arc arc, ew_approaches approaches, float from, flo
 #else
 // The integral over the stretch [from, to], on which arc.arm is nearest: closed form and rest. `sum` is the curve's light so
 // far.
-float ew_integrate_stretch(ew_arc arc, ew_approaches approaches, float from, float to, float sum, float others)
+float ew_integrate_stretch(const ew_arc arc, const ew_approaches approaches, const float from, const float to, const float sum,
+                           const float others)
 {
     ew_passage passage = ew_passage_of_stretch(arc, approaches, from, to);
     vec2 part = vec2(from, to);
@@ -180,7 +182,8 @@ float ew_integrate_stretch(ew_arc arc, ew_approaches approaches, float from, flo
 #endif
 
 // The parts of `chord` to which the arc's ends are nearest.
-void ew_find_parts(ew_arc arc, ew_cell first_cell, ew_cell last_cell, vec2 chord, out vec2 first, out vec2 last)
+void ew_find_parts(const ew_arc arc, const ew_cell first_cell, const ew_cell last_cell, const vec2 chord, out vec2 first,
+                   out vec2 last)
 {
     // A loop, because compilers put the cuts into the shader for every place that calls for them.
     for (int end = 0; end < 2; ++end) {
@@ -203,8 +206,8 @@ void ew_find_parts(ew_arc arc, ew_cell first_cell, ew_cell last_cell, vec2 chord
 // Adds to `sum`, the curve's light so far, that of what the ends' parts `first` and `last` leave of `chord`. `others`, >= 0 and
 // in the same unit, is what other sources are known to add to it. Relative error 1e-3 at a tolerance of 1e-3, mostly far less;
 // docs/method.md, section 10, has the exceptions.
-float ew_add_stretches(ew_arc arc, ew_cell first_cell, ew_cell last_cell, vec2 first, vec2 last, vec2 chord, float sum,
-                       float others)
+float ew_add_stretches(ew_arc arc, const ew_cell first_cell, const ew_cell last_cell, const vec2 first, const vec2 last,
+                       const vec2 chord, float sum, float others)
 {
 #ifdef EW_REACH
     // The brightness is known, and light that is a thousandth of it need not be exact to a thousandth of itself.
@@ -227,7 +230,7 @@ float ew_add_stretches(ew_arc arc, ew_cell first_cell, ew_cell last_cell, vec2 f
     return sum;
 }
 
-float ew_integrate(ew_segment segment, ew_curve_block curve, vec2 chord, float others)
+float ew_integrate(const ew_segment segment, const ew_curve_block curve, const vec2 chord, const float others)
 {
     ew_arc arc = ew_make_arc(segment, curve);
     ew_cell first_cell = ew_cell_of_end(arc, arc.first, 1.0);

@@ -1,6 +1,6 @@
 // Where the segment may be within reach of a curve: a sphere around the point at the middle m of its domain, no farther from which
 // than |C'(m)| / 2 + bend / 4 the arc lies.
-vec2 ew_chord(ew_segment segment, ew_curve_block curve)
+vec2 ew_chord(const ew_segment segment, const ew_curve_block curve)
 {
     float middle = 0.5 * (ew_first_tau(curve) + ew_last_tau(curve));
     float slope_y = ew_slope_y(curve) + 2.0 * ew_bend(curve) * middle;

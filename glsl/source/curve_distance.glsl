@@ -2,7 +2,7 @@
 
 // The steps 1 to 5 of section 2.3: the stationary points of the distance inside the domain, and both ends. (12) lacks P in its
 // linear coefficient; it is 2 C2.(C0 - P) + |C1|^2.
-float ew_nearest_on_curve(ew_polynomial_curve curve, vec3 position, out float nearest_tau)
+float ew_nearest_on_curve(const ew_polynomial_curve curve, const vec3 position, out float nearest_tau)
 {
     vec3 offset = curve.c0 - position;
     float cubic = 2.0 * ew_length_squared(curve.c2);
@@ -34,7 +34,7 @@ float ew_nearest_on_curve(ew_polynomial_curve curve, vec3 position, out float ne
 }
 
 // The squared distance from `position`, and the weight at the nearest point: for integrators that sample the field.
-float ew_distance_squared(ew_curve_block block, vec3 position, out float weight)
+float ew_distance_squared(const ew_curve_block block, const vec3 position, out float weight)
 {
     ew_polynomial_curve curve = ew_make_polynomial_curve(block);
     float tau;

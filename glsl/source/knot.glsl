@@ -2,7 +2,7 @@
 // from the weight pieces at both ends of the stretch. Without weights there is one piece, 0, and no knot.
 
 // In which of the arc's weight pieces the points nearest to L(s) are, at three places s.
-vec3 ew_pieces_at(ew_arc arc, vec3 s)
+vec3 ew_pieces_at(const ew_arc arc, const vec3 s)
 {
     vec3 pieces = vec3(0.0);
 #ifdef EW_WEIGHTS
@@ -17,7 +17,7 @@ vec3 ew_pieces_at(ew_arc arc, vec3 s)
 }
 
 // Whether there is a knot between the pieces `piece` and `last_piece`.
-bool ew_has_knot(float piece, float last_piece)
+bool ew_has_knot(const float piece, const float last_piece)
 {
 #ifdef EW_WEIGHTS
     return piece != last_piece;
@@ -28,7 +28,7 @@ bool ew_has_knot(float piece, float last_piece)
 
 // The s at which the nearest point, on its way from `piece` to `last_piece`, comes to the next knot: equation (12) is linear in
 // s.
-float ew_next_knot(ew_arc arc, float piece, float last_piece)
+float ew_next_knot(const ew_arc arc, const float piece, const float last_piece)
 {
 #ifdef EW_WEIGHTS
     float place = (piece + mix(0.0, 1.0, last_piece > piece)) / max(arc.piece_count, 1.0);

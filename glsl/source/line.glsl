@@ -1,7 +1,7 @@
 // An infinite line, equation (3).
 
 // The squared distance from `position`, and the weight at the nearest point: for integrators that sample the field.
-float ew_distance_squared(ew_line_block line, vec3 position, out float weight)
+float ew_distance_squared(const ew_line_block line, const vec3 position, out float weight)
 {
     vec3 difference = position - line.position.xyz;
     difference -= dot(difference, line.direction.xyz) * line.direction.xyz;
@@ -10,7 +10,7 @@ float ew_distance_squared(ew_line_block line, vec3 position, out float weight)
 }
 
 // Where the segment may be within reach.
-vec2 ew_chord(ew_segment segment, ew_line_block line)
+vec2 ew_chord(const ew_segment segment, const ew_line_block line)
 {
     vec3 axis = line.direction.xyz;
     vec3 to_line = line.position.xyz - segment.origin;
@@ -25,7 +25,7 @@ vec2 ew_chord(ew_segment segment, ew_line_block line)
 // The integral over a segment of 1 / max(epsilon, distance to a line), equation (3). Seen along the line, the line is a point,
 // so the closed form serves. A ray parallel to the line keeps its distance from it: then k is 0 up to rounding, and any s0 will
 // do. Relative error 1e-6.
-float ew_integrate(ew_segment segment, ew_line_block line, vec2 chord, float others)
+float ew_integrate(const ew_segment segment, const ew_line_block line, const vec2 chord, const float others)
 {
     vec3 axis = line.direction.xyz;
     vec3 to_line = line.position.xyz - segment.origin;

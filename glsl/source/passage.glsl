@@ -16,7 +16,7 @@ struct ew_passage {
 // Half the second derivative of the squared distance along the ray, where the ray is nearest to the arc's point at `tau` and
 // `across` leads to that point: |V|^2 - (C' . V)^2 / (|C'|^2 + (C - L) . C''), written without the difference. It is 0 at a
 // centre of curvature, and is kept above 1e-7 |V|^2.
-float ew_distance_curvature(ew_arc arc, float tau, vec3 across, float v2)
+float ew_distance_curvature(const ew_arc arc, const float tau, const vec3 across, const float v2)
 {
     float slope_y = arc.slope_y + 2.0 * arc.bend * tau;
     float bending = 2.0 * arc.bend * across.y;
@@ -27,7 +27,7 @@ float ew_distance_curvature(ew_arc arc, float tau, vec3 across, float v2)
 
 // The passage at the parabola's point at `tau`. It is the passage of that single point if the point `is_end`, the nearest one
 // all along, or `is_far` from any closest approach.
-ew_passage ew_passage_at(ew_arc arc, float tau, bool is_end, bool is_far)
+ew_passage ew_passage_at(const ew_arc arc, const float tau, const bool is_end, const bool is_far)
 {
     vec3 difference = vec3(arc.slope_x * tau, (arc.slope_y + arc.bend * tau) * tau, 0.0) - arc.start;
     float v2 = ew_length_squared(arc.direction);
@@ -49,7 +49,7 @@ ew_passage ew_passage_at(ew_arc arc, float tau, bool is_end, bool is_far)
 // tau of the two minima of the whole parabola's distance from the ray, which may be one. Seen along the ray, the ray is a
 // point, so they are roots of an equation like (12). It is scaled by |V|^2, so that projections become cross products and
 // nothing cancels. Between two minima is the maximum, `farthest`; without, it is a minimum.
-vec2 ew_closest_approaches(ew_arc arc, out float farthest)
+vec2 ew_closest_approaches(const ew_arc arc, out float farthest)
 {
     vec3 moment = cross(arc.start, arc.direction);
     vec3 v = arc.direction;
@@ -77,7 +77,7 @@ struct ew_approaches {
     float farthest;
 };
 
-ew_approaches ew_find_approaches(ew_arc arc)
+ew_approaches ew_find_approaches(const ew_arc arc)
 {
     float farthest;
     vec2 tau = ew_closest_approaches(arc, farthest);
@@ -91,7 +91,7 @@ ew_approaches ew_find_approaches(ew_arc arc)
 
 // The passage for a stretch around `middle` on which arc.arm is nearest, at whichever of its closest approaches is nearer.
 // Beyond the tip of an arc that is folded back on itself (`is_fold`), it is that of the tip, one point all along, like an end.
-ew_passage ew_passage_of_arm(ew_arc arc, ew_approaches approaches, float middle, out bool is_fold)
+ew_passage ew_passage_of_arm(const ew_arc arc, const ew_approaches approaches, const float middle, out bool is_fold)
 {
     vec2 equation = arc.equation_start + middle * arc.equation_growth;
     bool is_either_arm = !arc.has_arms || equation.x >= 0.0;

@@ -4,7 +4,7 @@
 
 // The integral over a segment, with the field of a path. It may be less than 0 by rounding, or between the arms of a sharp
 // corner; the sum over the sources cuts that.
-float ew_integrate(ew_segment segment, ew_path_block path, vec2 chord, float others)
+float ew_integrate(const ew_segment segment, const ew_path_block path, const vec2 chord, const float others)
 {
     float sum = 0.0;
 #ifdef EW_JOINTS

@@ -12,7 +12,7 @@ struct ew_beam {
 };
 
 // What lies across the ray is found for the middle and for the axis, and from these for both ends.
-ew_beam ew_meet_beam(ew_segment segment, ew_path_block path, vec2 chord)
+ew_beam ew_meet_beam(const ew_segment segment, const ew_path_block path, const vec2 chord)
 {
     float size = path.ball.w;
     vec3 axis = path.beam.xyz / max(size, 1e-30);
@@ -41,7 +41,7 @@ ew_beam ew_meet_beam(ew_segment segment, ew_path_block path, vec2 chord)
 
 #ifdef EW_FOG
 // `weights` are those of the first end, the line and the last end.
-float ew_integrate_beam_parts(ew_beam beam, vec2 chord, vec3 weights, vec4 glow)
+float ew_integrate_beam_parts(const ew_beam beam, const vec2 chord, const vec3 weights, const vec4 glow)
 {
     vec3 from = vec3(chord.x, beam.planes);
     vec3 to = vec3(beam.planes, chord.y);
@@ -64,7 +64,7 @@ float ew_integrate_beam_parts(ew_beam beam, vec2 chord, vec3 weights, vec4 glow)
 #elif defined(EW_WORLD)
 // Both ends of a beam at once, by the form of ew_integrate_node: of each, from the edge of its cap to the end of what the ray has of
 // its reach.
-vec2 ew_integrate_beam_ends(ew_beam beam, vec2 chord, vec4 glow)
+vec2 ew_integrate_beam_ends(const ew_beam beam, const vec2 chord, const vec4 glow)
 {
     float k = beam.k.x;
     float root_k = sqrt(k);
@@ -92,7 +92,7 @@ vec2 ew_integrate_beam_ends(ew_beam beam, vec2 chord, vec4 glow)
 }
 
 // `weights` are those of the first end, the line and the last end.
-float ew_integrate_beam_parts(ew_beam beam, vec2 chord, vec3 weights, vec4 glow)
+float ew_integrate_beam_parts(const ew_beam beam, const vec2 chord, const vec3 weights, const vec4 glow)
 {
     vec2 ends = ew_integrate_beam_ends(beam, chord, glow);
     ew_evaluation_count += 1;
@@ -101,7 +101,7 @@ float ew_integrate_beam_parts(ew_beam beam, vec2 chord, vec3 weights, vec4 glow)
 }
 #else
 // The light of the core in one of a beam's parts.
-float ew_integrate_core(vec2 core, vec4 glow)
+float ew_integrate_core(const vec2 core, const vec4 glow)
 {
 #ifdef EW_CORE_PIXELS
     return ew_integrate_reciprocal(ew_core_radius2(glow), max(ew_core_growth2(), 1e-30), -ew_view_depth.x / ew_view_depth.y, core.x,
@@ -113,7 +113,7 @@ float ew_integrate_core(vec2 core, vec4 glow)
 
 // Along the ray a beam's distance falls up to the core, or to its least, and then grows. So of the three parts' six sides of the core
 // two are always empty, but for rounding: behind the core in the first part, or before it in the second; and the same mirrored.
-float ew_integrate_beam_parts(ew_beam beam, vec2 chord, vec3 weights, vec4 glow)
+float ew_integrate_beam_parts(const ew_beam beam, const vec2 chord, const vec3 weights, const vec4 glow)
 {
     vec3 from = vec3(chord.x, beam.planes);
     vec3 to = vec3(beam.planes, chord.y);
@@ -161,7 +161,7 @@ float ew_integrate_beam_parts(ew_beam beam, vec2 chord, vec3 weights, vec4 glow)
 }
 #endif
 
-float ew_integrate_beam(ew_segment segment, ew_path_block path, vec2 chord)
+float ew_integrate_beam(const ew_segment segment, const ew_path_block path, const vec2 chord)
 {
     ew_beam beam = ew_meet_beam(segment, path, chord);
     float sum = 0.0;

@@ -1,14 +1,14 @@
 // Paths with bent pieces.
 
 #ifdef EW_BENDS
-vec3 ew_place_at(ew_curve_block curve, float tau)
+vec3 ew_place_at(const ew_curve_block curve, const float tau)
 {
     return curve.origin.xyz + ew_slope_x(curve) * tau * curve.axis_x.xyz +
            (ew_slope_y(curve) + ew_bend(curve) * tau) * tau * curve.axis_y.xyz;
 }
 
 // The part of `chord` on which the i-th piece may be within reach.
-vec2 ew_chord_of_piece(ew_segment segment, ew_path_block path, int i, vec2 chord)
+vec2 ew_chord_of_piece(const ew_segment segment, const ew_path_block path, const int i, vec2 chord)
 {
 #ifdef EW_REACH
     if (ew_has_reach(path.glow)) chord = ew_chord(segment, ew_bent_piece(path, i));
@@ -18,7 +18,7 @@ vec2 ew_chord_of_piece(ew_segment segment, ew_path_block path, int i, vec2 chord
 
 // The first piece from the i-th on that the ray does not miss; the count of pieces if there is none. Like sources (light.glsl),
 // the others are passed over in a loop of their own, which stays where it is once it has found one.
-int ew_find_piece(ew_segment segment, ew_path_block path, int i, vec2 chord)
+int ew_find_piece(const ew_segment segment, const ew_path_block path, int i, const vec2 chord)
 {
     int count = int(path.pieces.y);
     bool is_hit = false;
@@ -32,7 +32,7 @@ int ew_find_piece(ew_segment segment, ew_path_block path, int i, vec2 chord)
 
 // The sum over the pieces: each where no end is nearest, and its start together with the end of the piece before. Of a joint
 // with a piece that the ray misses, nothing is within reach.
-float ew_integrate_bends(ew_segment segment, ew_path_block path, vec2 chord, float others)
+float ew_integrate_bends(const ew_segment segment, const ew_path_block path, const vec2 chord, const float others)
 {
     int count = int(path.pieces.y);
     bool is_closed = path.pieces.w > 0.0;

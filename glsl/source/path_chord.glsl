@@ -1,5 +1,5 @@
 // Where the segment may be within reach of a path: a sphere around its ball, and around a straight beam the cylinder, too.
-vec2 ew_chord(ew_segment segment, ew_path_block path)
+vec2 ew_chord(const ew_segment segment, const ew_path_block path)
 {
     vec2 chord = ew_sphere_chord(segment, path.ball.xyz, path.ball.w + path.glow.y);
     if (path.pieces.y == 0.0 && path.ball.w > 0.0) {

@@ -1,7 +1,7 @@
 // Samples of a path's field: the sum of its pieces' samples, less one of a point for each joint. See path.glsl.
 
 // The nearest point of a straight piece.
-float ew_sample_straight(ew_path_block path, vec4 start, vec4 end, vec3 position, float s)
+float ew_sample_straight(const ew_path_block path, const vec4 start, const vec4 end, const vec3 position, const float s)
 {
     vec3 way = end.xyz - start.xyz;
     float u = clamp(dot(position - start.xyz, way) / max(ew_length_squared(way), 1e-30), 0.0, 1.0);
@@ -10,7 +10,7 @@ float ew_sample_straight(ew_path_block path, vec4 start, vec4 end, vec3 position
 }
 
 #ifdef EW_BENDS
-float ew_sample_bent(ew_path_block path, int i, vec3 position, float s, out vec4 start)
+float ew_sample_bent(const ew_path_block path, const int i, const vec3 position, const float s, out vec4 start)
 {
     vec4 domain = ew_piece_unit(path, 5.0, i, 4);
     ew_polynomial_curve polynomial = ew_make_polynomial_curve(ew_bent_piece(path, i));
@@ -22,7 +22,7 @@ float ew_sample_bent(ew_path_block path, int i, vec3 position, float s, out vec4
 }
 #endif
 
-float ew_sample_at(ew_path_block path, vec3 position, float s)
+float ew_sample_at(const ew_path_block path, const vec3 position, const float s)
 {
     vec4 start = vec4(path.ball.xyz - path.beam.xyz, 0.0);
     float sum = path.pieces.y > 0.0 ? 0.0 : ew_sample_straight(path, start, vec4(path.ball.xyz + path.beam.xyz, 1.0), position, s);

@@ -1,7 +1,7 @@
 // The points that count in a path: its ends and joints.
 
 // The integral of a point at `position` over a part of the ray that is in its reach.
-float ew_integrate_point_over(ew_segment segment, vec3 position, vec2 part, vec4 glow)
+float ew_integrate_point_over(const ew_segment segment, const vec3 position, vec2 part, const vec4 glow)
 {
     vec3 to_point = position - segment.origin;
     float k = ew_length_squared(segment.direction);
@@ -36,7 +36,7 @@ struct ew_point_ray {
     bool is_short; // just within reach
 };
 
-ew_point_ray ew_make_point_ray(ew_segment segment, vec3 position, vec4 glow)
+ew_point_ray ew_make_point_ray(const ew_segment segment, const vec3 position, const vec4 glow)
 {
     vec3 to_point = position - segment.origin;
     ew_point_ray ray;
@@ -60,7 +60,7 @@ ew_point_ray ew_make_point_ray(ew_segment segment, vec3 position, vec4 glow)
 //     = 2 sign(y) atanh(sqrt(k) q) / sqrt(k),        q = (|y| - half_core) / (d + d_core).
 //
 // Of all ways the logarithms are one of a product. Where the ray passes just within reach, they would be small differences.
-vec2 ew_light_of_ways(ew_point_ray ray, vec2 to, vec2 from, vec4 glow)
+vec2 ew_light_of_ways(const ew_point_ray ray, const vec2 to, const vec2 from, const vec4 glow)
 {
     float root_k = sqrt(ray.k);
     float d_core = sqrt(max(ray.core2, ray.b2));
@@ -89,7 +89,7 @@ vec2 ew_light_of_ways(ew_point_ray ray, vec2 to, vec2 from, vec4 glow)
 
 #if defined(EW_WORLD) && defined(EW_FOG) && defined(EW_JOINTS)
 // What an antiderivative with these values at the ends of both ways, `to` and then `from`, gives in all.
-float ew_over_ways(vec4 at_ends)
+float ew_over_ways(const vec4 at_ends)
 {
     vec2 difference = at_ends.xy - at_ends.zw;
     return difference.x + difference.y;
@@ -97,7 +97,7 @@ float ew_over_ways(vec4 at_ends)
 
 // The moments of the point's field about `place`, counted from s0, over the same ways: see ew_moments_of_part. Far away the field is
 // smooth, and Gauss's rule of two nodes serves.
-vec4 ew_moments_of_ways(ew_point_ray ray, vec2 to, vec2 from, float place, vec4 glow)
+vec4 ew_moments_of_ways(const ew_point_ray ray, vec2 to, vec2 from, const float place, const vec4 glow)
 {
     vec2 center = 0.5 * (to + from);
     vec2 half_way = 0.5 * (to - from);
@@ -151,14 +151,15 @@ struct ew_node {
 };
 
 // A free end: the cap that begins or ends at `edge`. It lies towards the ray's end if `is_ahead`.
-ew_node ew_make_end(float edge, bool is_ahead, vec2 chord)
+ew_node ew_make_end(const float edge, const bool is_ahead, const vec2 chord)
 {
     return ew_node(vec2(mix(edge, chord.y, is_ahead), edge), vec2(mix(chord.x, edge, is_ahead), edge));
 }
 
 // A joint: the cap beyond the piece before it and the cap before the piece behind it, less the point itself. Where one cap
 // begins at the ray's start and the other ends at its end, all but the way between their edges cancels.
-ew_node ew_make_joint(float beyond, bool is_beyond_ahead, float before, bool is_before_ahead, vec2 chord)
+ew_node ew_make_joint(const float beyond, const bool is_beyond_ahead, const float before, const bool is_before_ahead,
+                      const vec2 chord)
 {
     // Caps on different sides leave what is between their edges.
     bvec2 is_ahead = bvec2(is_beyond_ahead);
@@ -169,7 +170,7 @@ ew_node ew_make_joint(float beyond, bool is_beyond_ahead, float before, bool is_
 }
 
 #if defined(EW_WORLD) && !defined(EW_FOG)
-float ew_integrate_node(ew_segment segment, vec3 position, ew_node node, vec4 glow)
+float ew_integrate_node(const ew_segment segment, const vec3 position, const ew_node node, const vec4 glow)
 {
     ew_point_ray ray = ew_make_point_ray(segment, position, glow);
     vec4 y = clamp(vec4(node.to, node.from) - ray.s0, -ray.half_chord, ray.half_chord);
@@ -178,7 +179,7 @@ float ew_integrate_node(ew_segment segment, vec3 position, ew_node node, vec4 gl
     return 0.69314718 * log2(light.x) * inversesqrt(ray.k) + light.y;
 }
 #elif !defined(EW_WORLD)
-float ew_integrate_node(ew_segment segment, vec3 position, ew_node node, vec4 glow)
+float ew_integrate_node(const ew_segment segment, const vec3 position, const ew_node node, const vec4 glow)
 {
     float sum = 0.0;
     for (int i = 0; i < 2; ++i) {
@@ -194,7 +195,8 @@ float ew_integrate_node(ew_segment segment, vec3 position, ew_node node, vec4 gl
 // The light of a point over the part `last` of the ray, to which it is nearest as the end of one piece, with that piece's
 // weight, and over `first`, to which it is nearest as the start of the next; less a whole point, over `whole`. A free end has
 // but one of the parts.
-float ew_integrate_meeting(ew_segment segment, vec3 position, vec2 last, vec2 first, vec2 whole, vec2 weights, vec4 glow)
+float ew_integrate_meeting(const ew_segment segment, const vec3 position, const vec2 last, const vec2 first, const vec2 whole,
+                           const vec2 weights, const vec4 glow)
 {
 #if defined(EW_WORLD) && !defined(EW_FOG)
     ew_point_ray ray = ew_make_point_ray(segment, position, glow);

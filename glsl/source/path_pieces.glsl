@@ -4,7 +4,7 @@
 const int EW_MAX_PATH_PIECES = 600;
 
 // The weight at t along a path.
-float ew_path_weight(ew_path_block path, float t)
+float ew_path_weight(const ew_path_block path, const float t)
 {
     float weight = 1.0;
 #ifdef EW_WEIGHTS
@@ -14,14 +14,14 @@ float ew_path_weight(ew_path_block path, float t)
 }
 
 #ifdef EW_JOINTS
-vec4 ew_piece_unit(ew_path_block path, float units, int i, int unit)
+vec4 ew_piece_unit(const ew_path_block path, const float units, const int i, const int unit)
 {
     return ew_source_unit(int(path.pieces.x) + i * int(units) + unit);
 }
 
 #ifdef EW_BENDS
 // The i-th piece of a path, as a curve.
-ew_curve_block ew_bent_piece(ew_path_block path, int i)
+ew_curve_block ew_bent_piece(const ew_path_block path, const int i)
 {
     vec4 origin = ew_piece_unit(path, 5.0, i, 0);
     vec4 axis_x = ew_piece_unit(path, 5.0, i, 1);

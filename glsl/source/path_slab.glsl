@@ -12,7 +12,7 @@ struct ew_slab {
     vec2 t;       // the path's parameter at both ends
 };
 
-ew_slab ew_make_slab(ew_segment segment, vec4 start, vec4 end)
+ew_slab ew_make_slab(const ew_segment segment, const vec4 start, const vec4 end)
 {
     vec3 way = end.xyz - start.xyz;
     float size = length(way);
@@ -24,7 +24,7 @@ ew_slab ew_make_slab(ew_segment segment, vec4 start, vec4 end)
 // The s at which the ray comes to the plane at `place` along the piece, in `chord`. A ray parallel to the planes, which does
 // not run along the piece, is before or beyond the plane all the way: it comes to it at the end of the chord, or has come at
 // its start.
-float ew_s_at_plane(ew_slab slab, float place, vec2 chord)
+float ew_s_at_plane(const ew_slab slab, const float place, const vec2 chord)
 {
     float way = place - slab.along;
     bool is_parallel = abs(slab.growth) <= 1e-20 * abs(way);
@@ -32,7 +32,8 @@ float ew_s_at_plane(ew_slab slab, float place, vec2 chord)
 }
 
 // The line's squared distance along the ray is b2 + k (s - s0)^2. `part` is cut to what is within reach.
-void ew_find_line(ew_segment segment, ew_slab slab, vec4 glow, inout vec2 part, out float b2, out float k, out float s0)
+void ew_find_line(const ew_segment segment, const ew_slab slab, const vec4 glow, inout vec2 part, out float b2, out float k,
+                  out float s0)
 {
     vec3 to_line = slab.start - segment.origin;
     to_line -= dot(to_line, slab.axis) * slab.axis;
@@ -55,7 +56,7 @@ struct ew_planes {
     bool is_along;
 };
 
-ew_planes ew_find_planes(ew_slab slab, vec2 chord)
+ew_planes ew_find_planes(const ew_slab slab, const vec2 chord)
 {
     return ew_planes(ew_s_at_plane(slab, 0.0, chord), ew_s_at_plane(slab, slab.size, chord), slab.growth > 0.0);
 }

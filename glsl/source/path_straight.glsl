@@ -1,7 +1,7 @@
 // Paths of straight pieces.
 
 // The line's part of a straight piece without weights: what lies between the planes.
-float ew_integrate_slab(ew_segment segment, ew_slab slab, vec2 part, vec4 glow)
+float ew_integrate_slab(const ew_segment segment, const ew_slab slab, vec2 part, const vec4 glow)
 {
     float b2, k, s0;
     ew_find_line(segment, slab, glow, part, b2, k, s0);
@@ -9,7 +9,7 @@ float ew_integrate_slab(ew_segment segment, ew_slab slab, vec2 part, vec4 glow)
     return ew_integrate_within_reach(b2, k, s0, part, glow);
 }
 
-float ew_integrate_line_of_piece(ew_segment segment, ew_slab slab, ew_path_block path, ew_planes planes)
+float ew_integrate_line_of_piece(const ew_segment segment, const ew_slab slab, const ew_path_block path, const ew_planes planes)
 {
     vec2 between = mix(vec2(planes.end, planes.start), vec2(planes.start, planes.end), bvec2(planes.is_along));
 #ifdef EW_WEIGHTS
@@ -26,8 +26,8 @@ float ew_integrate_line_of_piece(ew_segment segment, ew_slab slab, ew_path_block
 #if defined(EW_WORLD) && defined(EW_FOG)
 // The light between the planes of a piece, unless it has weights, and `weight` times that of the point at its start or end, against one
 // transmittance in panels that both share.
-float ew_integrate_piece_in_fog(ew_segment segment, ew_slab slab, ew_path_block path, ew_planes planes, bool has_line, vec3 position,
-                                ew_node node, float weight)
+float ew_integrate_piece_in_fog(const ew_segment segment, const ew_slab slab, const ew_path_block path, const ew_planes planes,
+                                const bool has_line, const vec3 position, const ew_node node, const float weight)
 {
     vec2 part = mix(vec2(planes.end, planes.start), vec2(planes.start, planes.end), bvec2(planes.is_along));
     float b2, k, s0;
@@ -61,7 +61,7 @@ float ew_integrate_piece_in_fog(ew_segment segment, ew_slab slab, ew_path_block 
 }
 #endif
 
-float ew_integrate_polyline(ew_segment segment, ew_path_block path, vec2 chord)
+float ew_integrate_polyline(const ew_segment segment, const ew_path_block path, const vec2 chord)
 {
     int count = int(path.pieces.y);
     bool is_closed = path.pieces.w > 0.0;

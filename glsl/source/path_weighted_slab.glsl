@@ -7,7 +7,7 @@ const vec4 EW_PATH_NODE_WEIGHTS = vec4(0.17392742, 0.32607258, 0.32607258, 0.173
 
 #ifdef EW_FOG
 // The same as ew_integrate_slab for a part of the piece on which the weight is one polynomial of the place along it.
-float ew_integrate_weighted_part(ew_segment segment, ew_slab slab, vec2 part, vec3 weight_by_t, vec4 glow)
+float ew_integrate_weighted_part(const ew_segment segment, const ew_slab slab, vec2 part, const vec3 weight_by_t, const vec4 glow)
 {
     float b2, k, s0;
     ew_find_line(segment, slab, glow, part, b2, k, s0);
@@ -27,7 +27,7 @@ const int EW_MAX_PATH_PANELS = 64;
 
 // The same with the decay, by Gauss's rule in panels that grow from the line's peak outwards, and no faster than the depth:
 // none is longer than its distance from what is singular. Relative error 1e-4.
-float ew_integrate_weighted_part(ew_segment segment, ew_slab slab, vec2 part, vec3 weight_by_t, vec4 glow)
+float ew_integrate_weighted_part(const ew_segment segment, const ew_slab slab, vec2 part, const vec3 weight_by_t, const vec4 glow)
 {
     float b2, k, s0;
     ew_find_line(segment, slab, glow, part, b2, k, s0);
@@ -65,7 +65,8 @@ float ew_integrate_weighted_part(ew_segment segment, ew_slab slab, vec2 part, ve
 #else
 // The integral over [from, to], outside of the core, of (polynomial in y = s - s0) (1 / sqrt(b2 + k y^2) - 1 / reach): closed
 // forms. Where the part is short, compared with the distance, they would be small differences, and all is smooth.
-float ew_integrate_weighted_side(float b2, float k, float s0, float from, float to, vec3 polynomial, vec4 glow)
+float ew_integrate_weighted_side(const float b2, const float k, const float s0, const float from, const float to,
+                                 const vec3 polynomial, const vec4 glow)
 {
     float y_from = from - s0;
     float y_to = to - s0;
@@ -85,7 +86,7 @@ float ew_integrate_weighted_side(float b2, float k, float s0, float from, float 
 }
 
 // The same as ew_integrate_slab for a part of the piece on which the weight is one polynomial of the place along it.
-float ew_integrate_weighted_part(ew_segment segment, ew_slab slab, vec2 part, vec3 weight_by_t, vec4 glow)
+float ew_integrate_weighted_part(const ew_segment segment, const ew_slab slab, vec2 part, const vec3 weight_by_t, const vec4 glow)
 {
     float b2, k, s0;
     ew_find_line(segment, slab, glow, part, b2, k, s0);
@@ -117,7 +118,7 @@ float ew_integrate_weighted_part(ew_segment segment, ew_slab slab, vec2 part, ve
 // The most knots of the weights that lie on one straight piece, and one.
 const int EW_MAX_PIECE_KNOTS = 1024;
 
-float ew_integrate_weighted_slab(ew_segment segment, ew_slab slab, ew_path_block path, vec2 part)
+float ew_integrate_weighted_slab(const ew_segment segment, const ew_slab slab, const ew_path_block path, const vec2 part)
 {
     float count = path.weights.y;
     float piece = min(floor(slab.t.x * count), count - 1.0);

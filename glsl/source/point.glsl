@@ -1,14 +1,14 @@
 // A point, equation (2).
 
 // The squared distance from `position`, and the weight at the nearest point: for integrators that sample the field.
-float ew_distance_squared(ew_point_block point, vec3 position, out float weight)
+float ew_distance_squared(const ew_point_block point, const vec3 position, out float weight)
 {
     weight = 1.0;
     return ew_length_squared(position - point.position.xyz);
 }
 
 // Where the segment may be within reach.
-vec2 ew_chord(ew_segment segment, ew_point_block point)
+vec2 ew_chord(const ew_segment segment, const ew_point_block point)
 {
     return ew_sphere_chord(segment, point.position.xyz, point.glow.y);
 }
@@ -17,7 +17,7 @@ vec2 ew_chord(ew_segment segment, ew_point_block point)
 // The integral over a segment of 1 / max(epsilon, distance to a point), equation (2), by the closed form. The ray's distance
 // from the point is the length of a perpendicular vector, because the root of a difference of squares would cancel. Relative
 // error 1e-6.
-float ew_integrate(ew_segment segment, ew_point_block point, vec2 chord, float others)
+float ew_integrate(const ew_segment segment, const ew_point_block point, const vec2 chord, const float others)
 {
     vec3 to_point = point.position.xyz - segment.origin;
     float k = ew_length_squared(segment.direction);

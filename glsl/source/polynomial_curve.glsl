@@ -10,14 +10,14 @@ struct ew_polynomial_curve {
     float last;
 };
 
-float ew_cube_root(float x)
+float ew_cube_root(const float x)
 {
     return sign(x) * pow(abs(x), 1.0 / 3.0);
 }
 
 // The real roots of x^3 + a x^2 + b x + c = 0, appendix A with its misprints mended: theta = atan2(sqrt(-r), -q), u and v
 // paired so that u v = -p, and each root shifted by -a/3. Where there is one real root, it is returned three times.
-vec3 ew_cubic_roots(float a, float b, float c)
+vec3 ew_cubic_roots(const float a, const float b, const float c)
 {
     float p = b / 3.0 - a * a / 9.0;
     float q = a * a * a / 27.0 - a * b / 6.0 + c / 2.0;
@@ -32,7 +32,7 @@ vec3 ew_cubic_roots(float a, float b, float c)
     return 2.0 * sqrt(-p) * cos(angles) + shift;
 }
 
-ew_polynomial_curve ew_make_polynomial_curve(ew_curve_block block)
+ew_polynomial_curve ew_make_polynomial_curve(const ew_curve_block block)
 {
     ew_polynomial_curve curve;
     curve.c0 = block.origin.xyz;

@@ -12,7 +12,7 @@ struct ew_reciprocals {
     float tau;
 };
 
-ew_reciprocals ew_reciprocals_at(ew_arc arc, ew_passage passage, float s)
+ew_reciprocals ew_reciprocals_at(const ew_arc arc, const ew_passage passage, const float s)
 {
     float epsilon2 = ew_arc_core2(arc, s);
     float tau = ew_tau_on_arm(arc, s);
@@ -29,7 +29,7 @@ ew_reciprocals ew_reciprocals_at(ew_arc arc, ew_passage passage, float s)
 }
 
 // The second difference of values at a panel's four nodes, up to a factor.
-float ew_second_difference(vec4 values)
+float ew_second_difference(const vec4 values)
 {
     return abs(values.x - values.y - values.z + values.w);
 }
@@ -43,7 +43,8 @@ struct ew_rest {
 #ifdef EW_WEIGHTS
 // The rest of weight / distance, from the places `tau` of the nearest points, which are all in weight piece `piece`.
 // `curvature` is that of source - model.
-ew_rest ew_weighted_rest(ew_arc arc, ew_passage passage, vec4 source, vec4 model, vec4 tau, float piece, float curvature)
+ew_rest ew_weighted_rest(const ew_arc arc, const ew_passage passage, const vec4 source, const vec4 model, const vec4 tau,
+                         const float piece, const float curvature)
 {
     vec3 polynomial = ew_weight_piece(int(arc.first_piece + piece)).polynomial.xyz;
     vec4 place = clamp((arc.place + (tau - arc.first) * arc.place_slope) * arc.piece_count - piece, 0.0, 1.0);
@@ -58,7 +59,7 @@ ew_rest ew_weighted_rest(ew_arc arc, ew_passage passage, vec4 source, vec4 model
 #ifndef EW_WORLD
 // The factor on the second difference, which sees best the kink at the edge of the core: 1 if the nodes are all in it or all
 // outside.
-float ew_kink_factor(ew_arc arc, vec4 source, vec4 s)
+float ew_kink_factor(const ew_arc arc, vec4 source, const vec4 s)
 {
 #ifdef EW_CORE_PIXELS
     vec4 core2 = vec4(ew_arc_core2(arc, s.x), ew_arc_core2(arc, s.y), ew_arc_core2(arc, s.z), ew_arc_core2(arc, s.w));
@@ -74,7 +75,7 @@ float ew_kink_factor(ew_arc arc, vec4 source, vec4 s)
 #endif
 
 // The rest at four places s, all of which have their nearest points in weight piece `piece`.
-ew_rest ew_rest_at(ew_arc arc, ew_passage passage, vec4 s, float piece)
+ew_rest ew_rest_at(const ew_arc arc, const ew_passage passage, const vec4 s, const float piece)
 {
     ew_reciprocals at_x = ew_reciprocals_at(arc, passage, s.x);
     ew_reciprocals at_y = ew_reciprocals_at(arc, passage, s.y);

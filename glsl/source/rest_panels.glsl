@@ -30,7 +30,7 @@ struct ew_rule {
 
 // Gauss-Legendre, exact up to x^7. If the rest `starts_at_zero`, it is x f(x), and Gauss-Jacobi is exact up to x^8; then the
 // difference is that of f.
-ew_rule ew_choose_rule(bool starts_at_zero)
+ew_rule ew_choose_rule(const bool starts_at_zero)
 {
     bvec4 jacobi = bvec4(starts_at_zero);
     return ew_rule(mix(vec4(0.06943184, 0.33000948, 0.66999052, 0.93056816),
@@ -63,7 +63,7 @@ struct ew_stretch {
 //
 // The first panel is at most EW_FIRST_PANEL half widths of the peak long, or it would not see how the arc's peak differs from
 // the passage's. Nor is it much longer than the arc, because a bent arc's passage is of no use there.
-ew_stretch ew_make_stretch(ew_arc arc, ew_passage passage, float from, float to)
+ew_stretch ew_make_stretch(const ew_arc arc, const ew_passage passage, const float from, const float to)
 {
     float epsilon2 = ew_arc_core2(arc, passage.s0);
     ew_stretch stretch;
@@ -118,7 +118,7 @@ struct ew_progress {
 
 // The first side: the near one, if there is one, or the whole of a stretch with a wide peak.
 // `pieces` are the weight pieces at its beginning, its center and its end.
-ew_progress ew_start_stretch(ew_stretch stretch, vec3 pieces)
+ew_progress ew_start_stretch(const ew_stretch stretch, const vec3 pieces)
 {
     bool has_near_side = stretch.x_from > stretch.starts.x;
     bool ends_at_from = has_near_side || stretch.is_wide;
@@ -133,7 +133,7 @@ ew_progress ew_start_stretch(ew_stretch stretch, vec3 pieces)
     return progress;
 }
 
-ew_progress ew_start_far_side(ew_stretch stretch, vec3 pieces)
+ew_progress ew_start_far_side(const ew_stretch stretch, const vec3 pieces)
 {
     ew_progress progress;
     progress.x = stretch.starts.y;
@@ -147,7 +147,7 @@ ew_progress ew_start_far_side(ew_stretch stretch, vec3 pieces)
 }
 
 // The width of a panel that ends at the next knot: between two knots the weight is one polynomial.
-float ew_width_to_knot(ew_arc arc, ew_stretch stretch, ew_progress progress)
+float ew_width_to_knot(const ew_arc arc, const ew_stretch stretch, const ew_progress progress)
 {
     float knot = max(ew_next_knot(arc, progress.piece, progress.last_piece), -stretch.center);
 #ifdef EW_WORLD
@@ -160,7 +160,7 @@ float ew_width_to_knot(ew_arc arc, ew_stretch stretch, ew_progress progress)
 
 #ifdef EW_WORLD
 // The width of a panel that ends at the edge of the core, of a side that begins in it; 0 for one beyond.
-float ew_width_to_edge(ew_stretch stretch, ew_progress progress)
+float ew_width_to_edge(const ew_stretch stretch, const ew_progress progress)
 {
     float width = mix(stretch.core.y, stretch.core.x, progress.remaining >= 0.0) - progress.x;
     return mix(0.0, width, width * progress.remaining > 0.0);
@@ -169,7 +169,7 @@ float ew_width_to_edge(ew_stretch stretch, ew_progress progress)
 
 #ifdef EW_FOG
 // The longest panel, in x, for the fog.
-float ew_longest_rest(ew_stretch stretch, ew_progress progress)
+float ew_longest_rest(const ew_stretch stretch, const ew_progress progress)
 {
     bool is_near = progress.remaining >= 0.0;
 #ifdef EW_WORLD
@@ -183,7 +183,8 @@ float ew_longest_rest(ew_stretch stretch, ew_progress progress)
 #endif
 
 // The step control: goes on behind a panel that `is_fine`, or back to a shorter one.
-ew_progress ew_advance(ew_stretch stretch, ew_progress progress, float width, bool is_at_knot, bool is_fine, bool is_last_try)
+ew_progress ew_advance(const ew_stretch stretch, ew_progress progress, const float width, const bool is_at_knot,
+                       const bool is_fine, const bool is_last_try)
 {
     float left = progress.remaining - width;
     float next = EW_PANEL_GROWTH * width;
@@ -202,7 +203,7 @@ ew_progress ew_advance(ew_stretch stretch, ew_progress progress, float width, bo
 
 // The integral over s in [from, to] of the rest / (s + beta)^2, each panel's error below `allowance` by an estimate: four nodes
 // see what four nodes see.
-float ew_integrate_rest(ew_arc arc, ew_passage passage, float from, float to, float allowance)
+float ew_integrate_rest(ew_arc arc, ew_passage passage, const float from, const float to, const float allowance)
 {
     ew_stretch stretch = ew_make_stretch(arc, passage, from, to);
     arc.start += stretch.center * arc.direction;

@@ -2,7 +2,7 @@
 // along, and the nearest point moves smoothly.
 
 // Where start + s growth is 0; -1, behind the ray, if nowhere.
-float ew_zero(float start, float growth)
+float ew_zero(const float start, const float growth)
 {
     return mix(-1.0, -start / growth, growth != 0.0);
 }
@@ -10,7 +10,7 @@ float ew_zero(float start, float growth)
 // Where to split the ray; a component below 0 is no split. x: the nearest point jumps, or nearly jumps, to the other arm. y:
 // the ray passes the centre of curvature of a sharp bend, or any vertex's closely, from where the nearest point leaves the
 // vertex suddenly. zw: the planes of the ends at a sharp bend, past which one arm goes on alone.
-vec4 ew_find_splits(ew_arc arc, ew_cell first, ew_cell last)
+vec4 ew_find_splits(const ew_arc arc, const ew_cell first, const ew_cell last)
 {
     float vertex = ew_zero(arc.equation_start.y, arc.equation_growth.y);
     float bend = ew_zero(arc.equation_start.x, arc.equation_growth.x);
@@ -22,7 +22,7 @@ vec4 ew_find_splits(ew_arc arc, ew_cell first, ew_cell last)
 }
 
 // The first place from `s` on that is in neither end's part.
-float ew_skip_parts(float s, vec2 first, vec2 last)
+float ew_skip_parts(float s, const vec2 first, const vec2 last)
 {
     s = mix(s, last.y, s >= last.x && s < last.y);
     s = mix(s, first.y, s >= first.x && s < first.y);
@@ -31,7 +31,8 @@ float ew_skip_parts(float s, vec2 first, vec2 last)
 
 // Where the stretch that begins at `from` ends: at an end's part, a split or the segment's end. Of a curve with a reach also where
 // the distance has its maximum, `farthest`: then it has one minimum in a stretch at the most.
-float ew_end_of_stretch(float from, float end, vec2 first, vec2 last, vec4 splits, float farthest)
+float ew_end_of_stretch(const float from, const float end, const vec2 first, const vec2 last, const vec4 splits,
+                        const float farthest)
 {
     float to = end;
 #ifdef EW_REACH
@@ -45,7 +46,7 @@ float ew_end_of_stretch(float from, float end, vec2 first, vec2 last, vec4 split
 
 // Which arm of the parabola is nearest on the stretch [from, to]. Both arms have a minimum of the distance where equation.x <
 // 0. There, the nearer one is on the ray's side of the vertex, unless the arc lacks the minimum on that arm.
-float ew_nearest_arm(ew_arc arc, ew_cell first, ew_cell last, float from, float to)
+float ew_nearest_arm(const ew_arc arc, const ew_cell first, const ew_cell last, const float from, const float to)
 {
     float arm = arc.arm;
     if (arc.has_vertex) {

@@ -9,7 +9,7 @@ const int EW_MAX_TORUS_PANELS = 40;
 
 // direction2 times the integral over both sides of what is not in the cores, from the cut outwards: the near side first, if
 // there is one, then the far side. Panels are no longer than a multiple of the distance from what is singular around them.
-float ew_integrate_torus_panels(ew_torus_side near, vec2 near_core, ew_torus_side far, vec2 far_core)
+float ew_integrate_torus_panels(const ew_torus_side near, const vec2 near_core, const ew_torus_side far, const vec2 far_core)
 {
     float longest = ew_tolerance() > 3e-3 ? 8.0 : ew_tolerance() > 3e-4 ? 4.0 : 0.6;
 #ifdef EW_SHARPNESS
@@ -57,7 +57,7 @@ float ew_integrate_torus_panels(ew_torus_side near, vec2 near_core, ew_torus_sid
 
 #ifdef EW_FOG
 // The integral over a core, less 1 / R.
-float ew_integrate_torus_core_in_fog(ew_torus_side side, vec2 core)
+float ew_integrate_torus_core_in_fog(const ew_torus_side side, const vec2 core)
 {
     vec2 s = vec2(ew_s_on_side(side, core.x), ew_s_on_side(side, core.y));
     s = vec2(min(s.x, s.y), max(s.x, s.y));
@@ -67,7 +67,7 @@ float ew_integrate_torus_core_in_fog(ew_torus_side side, vec2 core)
 
 #ifdef EW_REACH
 // The integral over a part of 1 / max(r', distance) - 1 / R, where that is positive.
-float ew_integrate_torus_part(ew_torus_ray ray, ew_torus_zeros zeros, ew_torus_part part, vec4 glow)
+float ew_integrate_torus_part(const ew_torus_ray ray, const ew_torus_zeros zeros, ew_torus_part part, const vec4 glow)
 {
     float sum = 0.0;
     float reach = glow.y > 0.0 ? glow.y : 1e15;
@@ -100,7 +100,7 @@ float ew_integrate_torus_part(ew_torus_ray ray, ew_torus_zeros zeros, ew_torus_p
 // The integral over a segment of 1 / max(r', distance to a torus) - 1 / R, where that is positive. From the cut on, the
 // distance falls on one side of it and grows on the other, on which it may fall once more: so there are three parts at the
 // most. Relative error 3e-4 at worst in the scenes of tori at a tolerance of 1e-3.
-float ew_integrate(ew_segment segment, ew_torus_block torus, vec2 chord, float others)
+float ew_integrate(const ew_segment segment, const ew_torus_block torus, const vec2 chord, const float others)
 {
     float radius = ew_radius(torus);
     ew_torus_ray ray = ew_make_torus_ray(segment, torus, chord);
@@ -131,7 +131,7 @@ float ew_integrate(ew_segment segment, ew_torus_block torus, vec2 chord, float o
 #else
 // The integral over a segment of 1 / max(epsilon, distance to a torus), equation (7). Relative error 3.5e-4 at worst in the
 // scenes of tori at a tolerance of 1e-3, except for rounding in tori much larger than the interval.
-float ew_integrate(ew_segment segment, ew_torus_block torus, vec2 chord, float others)
+float ew_integrate(const ew_segment segment, const ew_torus_block torus, const vec2 chord, const float others)
 {
     float radius = ew_radius(torus);
     ew_torus_ray ray = ew_make_torus_ray(segment, torus, chord);

@@ -1,5 +1,5 @@
 // Where the segment may be within reach of a torus: a sphere around its reach.
-vec2 ew_chord(ew_segment segment, ew_torus_block torus)
+vec2 ew_chord(const ew_segment segment, const ew_torus_block torus)
 {
     return ew_sphere_chord(segment, torus.center.xyz, ew_radius(torus) + torus.glow.y);
 }

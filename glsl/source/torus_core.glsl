@@ -1,7 +1,7 @@
 // The core of a torus, in which the field is constant. Without a reach, each side of the ray is taken to have one piece of core;
 // docs/method.md, section 5, says what a second one costs.
 
-float ew_torus_distance_squared(ew_torus_side side, float x)
+float ew_torus_distance_squared(const ew_torus_side side, const float x)
 {
     float from_axis = sqrt(max(side.from_axis2 + x * (2.0 * side.outward + side.across2 * x), 0.0));
     float height = side.height + side.height_slope * x;
@@ -10,7 +10,7 @@ float ew_torus_distance_squared(ew_torus_side side, float x)
 
 // A first guess of how far the core's edges are from the closest approach. At distance epsilon from the torus its farthest
 // point is about 2 radius + epsilon away, and the product of the two distances is direction2 |x - own_zero| |x - other_zero|.
-float ew_guess_torus_edge(ew_torus_ray ray, ew_torus_zeros zeros, float radius, float epsilon)
+float ew_guess_torus_edge(const ew_torus_ray ray, const ew_torus_zeros zeros, const float radius, const float epsilon)
 {
     float product = epsilon * (2.0 * radius + epsilon);
     float root2 = dot(zeros.root, zeros.root);
@@ -19,7 +19,7 @@ float ew_guess_torus_edge(ew_torus_ray ray, ew_torus_zeros zeros, float radius, 
 
 // About where the ray is nearest to the torus: a step of Newton's method, from own_zero, towards the minimum of
 // |x - own_zero| |x - other_zero|.
-float ew_nearest_to_torus(ew_torus_side side)
+float ew_nearest_to_torus(const ew_torus_side side)
 {
     float apart = side.own_zero.x - side.other_zero.x;
     float own2 = side.own_zero.y * side.own_zero.y;
@@ -31,7 +31,8 @@ float ew_nearest_to_torus(ew_torus_side side)
 // One step of Newton's method from both `edges`, relative to `nearest`, towards squared distance epsilon2. A step at most
 // doubles the way from `nearest` and at most takes three quarters of it off, since the squared distance is no parabola where
 // the ray runs along the torus. `room` bounds the edges.
-vec2 ew_step_to_torus_edges(ew_torus_side side, float epsilon2, float nearest, vec2 edges, vec2 room)
+vec2 ew_step_to_torus_edges(const ew_torus_side side, const float epsilon2, const float nearest, const vec2 edges,
+                            const vec2 room)
 {
     vec2 x = nearest + edges;
     vec2 outward = side.outward + side.across2 * x;
@@ -48,7 +49,7 @@ vec2 ew_step_to_torus_edges(ew_torus_side side, float epsilon2, float nearest, v
 
 // Where the ray enters and leaves the core; side.end twice if it does not. An error of an edge counts by its square, because
 // the integrand is continuous there. distance2_at_cut is the squared distance at x = 0.
-vec2 ew_torus_core(ew_torus_side side, float distance2_at_cut, float edge_guess, float epsilon2)
+vec2 ew_torus_core(const ew_torus_side side, const float distance2_at_cut, const float edge_guess, const float epsilon2)
 {
     float nearest = ew_nearest_to_torus(side);
     bool is_entered = ew_torus_distance_squared(side, nearest) < epsilon2;
@@ -70,7 +71,7 @@ vec2 ew_torus_core(ew_torus_side side, float distance2_at_cut, float edge_guess,
 #endif
 
 // The integral over the core of 1 / (epsilon depth^2), exact but for rounding.
-float ew_integrate_torus_core(ew_torus_side side, vec2 core, float epsilon)
+float ew_integrate_torus_core(const ew_torus_side side, const vec2 core, const float epsilon)
 {
 #ifdef EW_WORLD
     return (core.y - core.x) / epsilon;

@@ -1,7 +1,7 @@
 // The distance to a torus, equation (7): the circle of a radius about an axis.
 
 // The squared distance from `position`, and the weight at the nearest point: for integrators that sample the field.
-float ew_distance_squared(ew_torus_block torus, vec3 position, out float weight)
+float ew_distance_squared(const ew_torus_block torus, const vec3 position, out float weight)
 {
     vec3 difference = position - torus.center.xyz;
     float height = dot(difference, torus.axis.xyz);

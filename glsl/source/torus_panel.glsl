@@ -4,7 +4,7 @@
 // m is chosen so that the nearest singularities before and beyond the panel are equally far away in t. They are other_zero,
 // which is `clearance` before the panel, and depth = 0. On the way away from the eye, depth = 0 lies before the panel too: it
 // counts as beyond the panel's end, seen through infinity.
-ew_panel ew_map_torus_panel(ew_torus_side side, float from, float size, float clearance)
+ew_panel ew_map_torus_panel(const ew_torus_side side, const float from, const float size, const float clearance)
 {
 #ifdef EW_WORLD
     // Without a decay only other_zero is singular, before the panel; beyond it, a place so far away that it does not matter.
@@ -29,19 +29,19 @@ struct ew_at_nodes {
     vec3 left;
 };
 
-ew_at_nodes ew_even_plus_odd(vec3 even, vec3 odd)
+ew_at_nodes ew_even_plus_odd(const vec3 even, const vec3 odd)
 {
     return ew_at_nodes(even + odd, even - odd);
 }
 
 // (1 - m t) f for f = value + slope (1 + t) / (1 - m t), a linear function of x.
-ew_at_nodes ew_linear_at_nodes(float value, float slope, float m)
+ew_at_nodes ew_linear_at_nodes(const float value, const float slope, const float m)
 {
     return ew_even_plus_odd(vec3(value + slope), (slope - value * m) * EW_PANEL_NODES);
 }
 
 // (1 - m t)^2 times the squared distance from the axis.
-ew_at_nodes ew_from_axis2_at_nodes(ew_torus_side side, ew_panel panel)
+ew_at_nodes ew_from_axis2_at_nodes(const ew_torus_side side, const ew_panel panel)
 {
     float from_axis2 = side.from_axis2 + panel.from * (2.0 * side.outward + side.across2 * panel.from);
     float outward = (side.outward + side.across2 * panel.from) * panel.scale;
@@ -53,7 +53,7 @@ ew_at_nodes ew_from_axis2_at_nodes(ew_torus_side side, ew_panel panel)
 }
 
 // 4 (1 - m t)^2 |x - other_zero|^2.
-ew_at_nodes ew_other_zero_at_nodes(ew_torus_side side, ew_panel panel)
+ew_at_nodes ew_other_zero_at_nodes(const ew_torus_side side, const ew_panel panel)
 {
     vec2 other = 2.0 * vec2(panel.from - side.other_zero.x, side.other_zero.y);
     vec2 constant = vec2(other.x + 2.0 * panel.scale, other.y);
@@ -64,12 +64,12 @@ ew_at_nodes ew_other_zero_at_nodes(ew_torus_side side, ew_panel panel)
 
 #ifdef EW_FOG
 // The s at x on a side.
-float ew_s_on_side(ew_torus_side side, float x)
+float ew_s_on_side(const ew_torus_side side, const float x)
 {
     return side.center + side.depth_slope * x;
 }
 
-vec3 ew_torus_transmittance(ew_torus_side side, ew_panel panel, vec3 t)
+vec3 ew_torus_transmittance(const ew_torus_side side, const ew_panel panel, const vec3 t)
 {
     return ew_transmittance(side.center + side.depth_slope * (panel.from + panel.scale * (1.0 + t) / (1.0 - panel.m * t)));
 }
@@ -79,7 +79,7 @@ vec3 ew_torus_transmittance(ew_torus_side side, ew_panel panel, vec3 t)
 // from `from`. Multiplied by 1 - m t and by |t - zero|, the integrand is smooth; through its values at six nodes goes the
 // polynomial. Relative error mostly far below 1e-4, at worst 3.5e-4 for panels no longer than ew_integrate_torus_panels makes
 // them.
-float ew_integrate_torus_panel(ew_torus_side side, float from, float size, float clearance)
+float ew_integrate_torus_panel(const ew_torus_side side, const float from, const float size, const float clearance)
 {
     ew_panel panel = ew_map_torus_panel(side, from, size, clearance);
     ew_mapped_zero zero = ew_map_zero(side.own_zero, panel);

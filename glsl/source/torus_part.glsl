@@ -4,7 +4,7 @@
 
 // Half the derivative of the squared distance at x, and half its second derivative. With q the slope of the distance from the
 // axis, the first is outward + height height_slope - radius q, and the second direction2 - radius dq/dx.
-vec2 ew_torus_slope(ew_torus_ray ray, ew_torus_side side, float x)
+vec2 ew_torus_slope(const ew_torus_ray ray, const ew_torus_side side, const float x)
 {
     float outward = side.outward + side.across2 * x;
     float from_axis2 = max(side.from_axis2 + x * (side.outward + outward), 1e-30);
@@ -17,7 +17,7 @@ vec2 ew_torus_slope(ew_torus_ray ray, ew_torus_side side, float x)
 // Where the slope has its last zero, beyond which the distance only grows. The slope is a convex function of x. It falls up to
 // the place `flat_at`, and is positive from `steep_at` on, as q is at most sqrt(across2). From any place between, Newton's
 // method comes down to that zero.
-float ew_last_approach_to_torus(ew_torus_ray ray, ew_torus_side side)
+float ew_last_approach_to_torus(const ew_torus_ray ray, const ew_torus_side side)
 {
     float pull = side.radius * sqrt(side.across2) - side.outward - side.height * side.height_slope;
     float steep_at = max(pull / ray.direction2, 0.0);
@@ -35,7 +35,7 @@ float ew_last_approach_to_torus(ew_torus_ray ray, ew_torus_side side)
 // Where the distance, which grows from the cut on, is largest before it falls to `nearest`. With q as a share of its largest
 // value, sqrt(across2), the slope is a convex function of q, too. So from where x would be 0, Newton's method goes up to its
 // first zero.
-float ew_farthest_from_torus(ew_torus_ray ray, ew_torus_side side, float nearest)
+float ew_farthest_from_torus(const ew_torus_ray ray, const ew_torus_side side, const float nearest)
 {
     float scale = sqrt(ray.moment2) / side.across2;
     float pull = side.radius * sqrt(side.across2);
@@ -63,7 +63,7 @@ struct ew_torus_part {
     float curvature;
 };
 
-ew_torus_part ew_make_torus_part(ew_torus_ray ray, ew_torus_side side, float nearest)
+ew_torus_part ew_make_torus_part(const ew_torus_ray ray, const ew_torus_side side, float nearest)
 {
     // Where the slope is nearly 0 over a long way, a few steps may end beyond its zero, and farther away than the part's begin.
     bool is_begin_nearer = ew_torus_distance_squared(side, side.begin) < ew_torus_distance_squared(side, nearest);
@@ -80,13 +80,13 @@ struct ew_torus_level {
     float depth_slope;
 };
 
-float ew_level_at(ew_torus_level level, float x)
+float ew_level_at(const ew_torus_level level, const float x)
 {
     return level.constant + level.growth * ew_square(level.depth + level.depth_slope * x);
 }
 
 // The squared radius of the core.
-ew_torus_level ew_torus_core2(ew_torus_ray ray, ew_torus_side side, vec4 glow)
+ew_torus_level ew_torus_core2(const ew_torus_ray ray, const ew_torus_side side, const vec4 glow)
 {
 #ifdef EW_CORE_PIXELS
     return ew_torus_level(ew_core_radius2(glow), ew_frame.core_floor.x, ew_view_depth.x + ray.center * ew_view_depth.y,
@@ -100,7 +100,7 @@ ew_torus_level ew_torus_core2(ew_torus_ray ray, ew_torus_side side, vec4 glow)
 // leave the bracket. It starts from the nearer of the edges that a parabola would have and `guess`, which holds where the ray
 // runs along the torus. As steps are bounded by factors, rounding cannot throw an edge far away. An error counts by its square.
 // If even `nearest` is beyond, both edges are side.end.
-vec2 ew_torus_edges(ew_torus_part part, ew_torus_level level, float guess)
+vec2 ew_torus_edges(const ew_torus_part part, const ew_torus_level level, const float guess)
 {
     ew_torus_side side = part.side;
     vec2 away = vec2(-1.0, 1.0);

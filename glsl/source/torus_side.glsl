@@ -20,7 +20,7 @@ struct ew_torus_ray {
 };
 
 // Of the part [from, to] of a segment.
-ew_torus_ray ew_make_torus_ray(ew_segment segment, ew_torus_block torus, vec2 part)
+ew_torus_ray ew_make_torus_ray(const ew_segment segment, const ew_torus_block torus, const vec2 part)
 {
     vec3 axis = torus.axis.xyz;
     ew_torus_ray ray;
@@ -42,13 +42,13 @@ ew_torus_ray ew_make_torus_ray(ew_segment segment, ew_torus_block torus, vec2 pa
     return ray;
 }
 
-vec2 ew_complex_product(vec2 a, vec2 b)
+vec2 ew_complex_product(const vec2 a, const vec2 b)
 {
     return vec2(a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x);
 }
 
 // The square root with the positive real part.
-vec2 ew_complex_root(vec2 z)
+vec2 ew_complex_root(const vec2 z)
 {
     float larger = sqrt(max(0.5 * (length(z) + abs(z.x)), 1e-30));
     float smaller = 0.5 * z.y / larger;
@@ -68,7 +68,7 @@ struct ew_torus_zeros {
 
 // The zeros of direction2 x^2 - 2 half_sum x - product. One comes from a sum and the other from `product` by division, so that
 // neither is a small difference.
-ew_torus_zeros ew_find_torus_zeros(ew_torus_ray ray, float radius)
+ew_torus_zeros ew_find_torus_zeros(const ew_torus_ray ray, const float radius)
 {
     float from_axis = sqrt(ray.from_axis2);
     vec2 product = vec2((radius - from_axis) * (radius + from_axis) - ray.height * ray.height, 2.0 * radius * ray.height);
@@ -105,8 +105,8 @@ struct ew_torus_side {
 
 // The side on which s grows by depth_slope x. `ahead` is the zero that lies further in that direction, as a value of s -
 // center.
-ew_torus_side ew_make_torus_side(ew_torus_ray ray, float radius, vec4 glow, float depth_slope, float end, vec2 ahead,
-                                 vec2 behind)
+ew_torus_side ew_make_torus_side(const ew_torus_ray ray, const float radius, const vec4 glow, const float depth_slope,
+                                 const float end, const vec2 ahead, const vec2 behind)
 {
     ew_torus_side side;
     side.radius = radius;
