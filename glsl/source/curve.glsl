@@ -138,14 +138,9 @@ float ew_integrate_stretch(const ew_arc arc, const ew_approaches approaches, con
                            const float others)
 {
     ew_passage passage = ew_passage_of_stretch(arc, approaches, from, to);
-    ew_portion portion = ew_make_portion(arc, passage.s0, vec2(from, to));
-    vec2 part;
-    // A loop over the reach and the core in it, because compilers put the search into the shader for every place that calls it.
-    for (int edge = 0; edge < 2; ++edge) {
-        portion = ew_clip(arc, portion, edge == 1);
-        if (edge == 0) part = portion.ends;
-    }
-    passage.core = portion.ends;
+    ew_portion portion = ew_clip(arc, ew_make_portion(arc, passage.s0, vec2(from, to)), false);
+    vec2 part = portion.ends;
+    passage.core = ew_clip(arc, portion, true).ends;
     passage.b2 = ew_least_b2(arc, passage, part);
 #ifdef EW_FOG
     float reciprocal = ew_integrate_in_fog(passage.b2, passage.k, passage.s0, part, passage.core, vec4(1.0, 0.0, 0.0, 0.0), arc.glow);
