@@ -11,7 +11,7 @@ const [program, folder] = process.argv.slice(2);
 const here = dirname(fileURLToPath(import.meta.url));
 // Milliseconds of a processor for one kind of source, and for all at once: half as much again as was measured beside other work. Adaptive
 // resolution compiles two integrals.
-const most = { one: 2500, all: 5500 }, mostMegabytes = 1000;
+const most = { one: 3000, all: 5500 }, mostMegabytes = 1000;
 const mostDifference = 1; // of 255
 
 const files = {
