@@ -250,7 +250,7 @@ is_alike() {
 }
 
 # Processors, and changes of the shaders, round differently. A picture that one cannot tell from the one before stays as it was.
-for picture in $pictures/*.png; do
+for picture in "$pictures"/*.png; do
     before=$scratch/before/$(basename "$picture")
     [ ! -f "$before" ] || ! is_alike "$picture" "$before" || cp "$before" "$picture"
 done
