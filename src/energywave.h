@@ -330,10 +330,9 @@ typedef enum ew_integrator {
 
 /* The error of B that EW_INTEGRATOR_ADAPTIVE aims for, relative to max(B, 1e-3 of the image's largest B). It is estimated, not
  * bounded. With the default, 1E_3, all but a few of the tests' scenes stay within 1e-3 everywhere and within 1e-4 on 99 % of
- * the pixels. Four stay within 1e-2: their rays pass through the middle of cores of a ten-millionth of the interval, or their
- * tori are larger than the interval, or a path of cubic curves has weights. Of random scenes of the world integral, three
- * pixels in a thousand of paths with weights are beyond 1e-3, and of the others one in a thousand at the most. Points and lines
- * are exact except for rounding. */
+ * the pixels. Three stay within 1e-2: their rays pass through the middle of cores of a ten-millionth of the interval, or their
+ * tori are larger than the interval. Of random scenes of the world integral, one and a half pixels in a thousand of tori are
+ * beyond 1e-3, by rounding, and of the others one in a thousand. Points and lines are exact except for rounding. */
 typedef enum ew_quality {
     EW_QUALITY_ERROR_1E_2,
     EW_QUALITY_ERROR_1E_3,

@@ -13,6 +13,8 @@ float ew_cubic_length()
 const float EW_FOG_HIDDEN = 2e-9;
 // Of moments about a place that is so many half lengths away, little is left but rounding.
 const float EW_FOG_FAR = 24.0;
+// Of a panel that is so many half lengths away from the source, even the light is a small difference.
+const float EW_FOG_VERY_FAR = 1000.0;
 
 // How long a panel from s on may be. Where the field is of a core that widens, it is no longer than half of what makes that as wide as it
 // is, unless there is next to no fog in it.
@@ -110,7 +112,7 @@ vec4 ew_moments_of_part(float b2, float k, float s0, vec2 part, float middle, ve
     moments.y += (slope.y - slope.x) * size * size * (1.0 / 12.0);
     moments -= ew_inverse_reach(glow) * ew_moments_of_one(part - middle);
 
-    // Far away the field is smooth, and Gauss's rule serves.
+    // Far away the field is smooth but for the core's edge, and Gauss's rule serves.
     float radius = 0.5 * (part.y - part.x);
     float center = 0.5 * (part.y + part.x);
     vec3 node = radius * vec3(-0.77459667, 0.0, 0.77459667);
@@ -120,8 +122,11 @@ vec4 ew_moments_of_part(float b2, float k, float s0, vec2 part, float middle, ve
     field *= radius * vec3(0.55555556, 0.88888889, 0.55555556);
     vec3 from_middle = center - middle + node;
     vec3 square = from_middle * from_middle;
-    vec4 by_gauss = vec4(moments.x, dot(field, from_middle), dot(field, square), dot(field, square * from_middle));
-    bool is_far = b2 + k * to_source.y * to_source.y > EW_FOG_FAR * EW_FOG_FAR * k * radius * radius;
+    float distance2 = b2 + k * to_source.y * to_source.y;
+    bool is_very_far = distance2 > EW_FOG_VERY_FAR * EW_FOG_VERY_FAR * k * radius * radius;
+    float light = mix(moments.x, field.x + field.y + field.z, is_very_far);
+    vec4 by_gauss = vec4(light, dot(field, from_middle), dot(field, square), dot(field, square * from_middle));
+    bool is_far = distance2 > EW_FOG_FAR * EW_FOG_FAR * k * radius * radius;
     return mix(moments, by_gauss, bvec4(is_far));
 }
 #endif

@@ -85,11 +85,13 @@ float ew_rough_cube_root(const float x)
 // A root tau of cubic tau^3 + quadratic tau^2 + linear tau = constant, for cubic >= 0, at which the left side grows, so that a
 // distance has its minimum there. For linear > 0 it is the only one; otherwise, the outermost on the side of `arm`, 1 or -1.
 //
-// For quadratic = 0 the start is within 11 %, and each step cubes the error: 2e-10 after two, if it were not for rounding.
+// For quadratic = 0 and the arm on the side of `constant`, the start is within 11 %, and each step cubes the error: 2e-10 after two,
+// if it were not for rounding. On the other arm it lies beyond the root, from where the steps come down even where the root is about
+// to vanish: 5e-6 after two, up to 0.99 of the constant at which it does, and 2 % there. docs/method.md, section 6.
 float ew_distance_minimum(const float cubic, const float quadratic, const float linear, const float constant, const float arm)
 {
     float third = ew_rough_cube_root(max(cubic * constant * constant, 1e-37));
-    float excess = max(mix(-1.26 * third, third, arm * constant >= 0.0) - linear, 0.0);
+    float excess = max(mix(-1.1 * third, third, arm * constant >= 0.0) - linear, 0.0);
     // The start is constant / sqrt(linear^2 + third^2), or arm sqrt(excess / cubic). Both share one reciprocal root, without a
     // branch.
     bool is_only = linear > 0.0;

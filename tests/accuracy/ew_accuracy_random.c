@@ -31,7 +31,9 @@ static const char help[] =
     "      --worst N          how many of the worst scenes to list (default 20)\n"
     "      --backend NAME     egl, osmesa or auto (default)\n"
     "      --write FILE       writes the first scene as a scene file, and draws nothing\n"
-    "      --check            fail if a pixel is wrong by more than 1e-2, or more than 0.1 % of a kind's by more than 1e-3\n"
+    "      --check            fail if a pixel is wrong by more than 1e-2, or more than 1e-3 of a kind's by more than 1e-3\n"
+    "      --largest ERROR    with --check, instead of that 1e-2\n"
+    "      --share SHARE      with --check, instead of 1e-3 of a kind's pixels; 0: none may be wrong by more than 1e-3\n"
     "\n"
     "Fails in any case if a pixel is negative, infinite or no number, or if the reference does not vouch for 1 % of them.\n"
     "The list of the worst says for each scene what `ew-accuracy-random --seed SEED --write scene.json` and\n"
@@ -49,6 +51,7 @@ typedef struct command_line {
     context_backend backend;
     const char *write;
     bool check;
+    random_bounds bounds;
 } command_line;
 
 /* ---- The command line --------------------------------------------------------------------------------------------------- */
@@ -68,6 +71,14 @@ static bool read_seed(const char *text, void *target)
     char *end;
     *(unsigned long long *)target = strtoull(text, &end, 10);
     return *text >= '0' && *text <= '9' && *end == '\0';
+}
+
+static bool read_bound(const char *text, void *target)
+{
+    char *end;
+    double *bound = target;
+    *bound = strtod(text, &end);
+    return end != text && *end == '\0' && *bound >= 0;
 }
 
 static bool read_kind(const char *text, void *target)
@@ -95,6 +106,8 @@ static bool read_options(int argc, char **argv, command_line *options, char *mes
         {"backend", 0, read_backend, &options->backend, BACKEND_REMEDY},
         {"write", 0, read_text, &options->write, NULL},
         {"check", 0, NULL, &options->check, NULL},
+        {"largest", 0, read_bound, &options->bounds.largest, "must be an error, not below 0"},
+        {"share", 0, read_bound, &options->bounds.unusual_share, "must be a share, not below 0"},
     };
     const command_program program = {"ew-accuracy-random", help, table, sizeof table / sizeof *table};
     if (!command_line_read(&argc, argv, &program, message, size)) return false;
@@ -133,7 +146,8 @@ static bool compare_scenes(const command_line *options, gl_context *context, boo
     size_t count = pictures ? choose_scenes(options, pictures) : 0;
     bool ok = pictures && random_pictures_draw(context, &options->integrator.settings, pictures, count, message, size);
     if (!pictures || (ok && !(ok = random_truths_compute(pictures, count) &&
-                                   random_report_print(pictures, count, (size_t)options->worst, options->check, well))))
+                                   random_report_print(pictures, count, (size_t)options->worst,
+                                                       options->check ? &options->bounds : NULL, well))))
         snprintf(message, size, "memory is exhausted");
     free(pictures);
     return ok;
@@ -141,7 +155,7 @@ static bool compare_scenes(const command_line *options, gl_context *context, boo
 
 int main(int argc, char **argv)
 {
-    command_line options = {.scenes = 2000, .seed = 1, .kind = -1, .worst = 20};
+    command_line options = {.scenes = 2000, .seed = 1, .kind = -1, .worst = 20, .bounds = {1e-2, 1e-3}};
     char message[600];
     named_integrator_find("adaptive:1e-3", &options.integrator);
     if (!read_options(argc, argv, &options, message, sizeof message)) {

@@ -6,10 +6,9 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-/* The bounds: of every pixel, and of 99.9 % of them. */
-#define LARGEST_ERROR 1e-2
+/* Errors beyond these are counted. */
+#define LARGE_ERROR 1e-2
 #define USUAL_ERROR 1e-3
-#define UNUSUAL_SHARE 1e-3
 
 typedef struct error_counts {
     size_t scenes, pixels, unreliable, bad, unusual, wrong;
@@ -25,7 +24,7 @@ static void count_errors(const random_picture *picture, error_counts *counts)
         counts->unreliable += !pixel->reliable;
         counts->bad += !isfinite(pixel->error);
         counts->unusual += pixel->error > USUAL_ERROR;
-        counts->wrong += pixel->error > LARGEST_ERROR;
+        counts->wrong += pixel->error > LARGE_ERROR;
         counts->largest = fmax(counts->largest, pixel->error);
     }
 }
@@ -63,13 +62,13 @@ static void print_worst(const random_picture *const *pictures, size_t count)
     }
 }
 
-static bool is_bounded(const error_counts *counts)
+static bool is_bounded(const error_counts *counts, const random_bounds *bounds)
 {
-    return counts->wrong == 0 && (double)counts->unusual <= UNUSUAL_SHARE * (double)counts->pixels;
+    return counts->largest <= bounds->largest && (double)counts->unusual <= bounds->unusual_share * (double)counts->pixels;
 }
 
-/* Prints what was found, of pictures that are sorted; returns whether all is well; the bounds count if `check`. */
-static bool report(const random_picture *const *pictures, size_t count, size_t worst, bool check)
+/* Prints what was found, of pictures that are sorted; returns whether all is well. */
+static bool report(const random_picture *const *pictures, size_t count, size_t worst, const random_bounds *bounds)
 {
     error_counts all = {0}, kinds[RANDOM_SCENE_KIND_COUNT] = {{0}};
     for (size_t i = 0; i < count; i++) {
@@ -79,9 +78,9 @@ static bool report(const random_picture *const *pictures, size_t count, size_t w
     print_kinds(kinds, &all);
     print_worst(pictures, worst < count ? worst : count);
     bool bounded = true;
-    for (int kind = 0; kind < RANDOM_SCENE_KIND_COUNT; kind++)
-        bounded = bounded && is_bounded(&kinds[kind]);
-    return all.bad == 0 && all.unreliable * 100 <= all.pixels && (bounded || !check);
+    for (int kind = 0; bounds && kind < RANDOM_SCENE_KIND_COUNT; kind++)
+        bounded = bounded && is_bounded(&kinds[kind], bounds);
+    return all.bad == 0 && all.unreliable * 100 <= all.pixels && bounded;
 }
 
 static int compare_pictures(const void *a, const void *b)
@@ -92,14 +91,14 @@ static int compare_pictures(const void *a, const void *b)
     return (first->seed > second->seed) - (first->seed < second->seed);
 }
 
-bool random_report_print(const random_picture *pictures, size_t count, size_t worst, bool check, bool *well)
+bool random_report_print(const random_picture *pictures, size_t count, size_t worst, const random_bounds *bounds, bool *well)
 {
     const random_picture **order = malloc((count + 1) * sizeof *order);
     if (!order) return false;
     for (size_t i = 0; i < count; i++)
         order[i] = &pictures[i];
     qsort(order, count, sizeof *order, compare_pictures);
-    *well = report(order, count, worst, check);
+    *well = report(order, count, worst, bounds);
     free(order);
     return true;
 }
