@@ -124,7 +124,7 @@ saves expected.json
 # However long a key is down, that is one step.
 xdotool keydown Right sleep 1.5 keyup Right
 press ctrl+s
-waits 'a key that is held goes on' sh -c 'grep -q "reach\": \(1.[2-9]\|[2-9]\|..\)" scene.json'
+waits 'a key that is held goes on' sh -c 'grep -q "reach\": \(1\.[2-9]\|[2-9]\|[1-9][0-9]\)" scene.json'
 press ctrl+z
 saves expected.json
 press ctrl+z ctrl+z ctrl+z ctrl+z ctrl+z
