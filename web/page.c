@@ -1,10 +1,12 @@
 /* The page: see page.h. */
 #include "page.h"
 #include "animation.h"
+#include "camera_ray.h"
 #include "context.h"
 #include "display.h"
 #include "message.h"
 #include "scene_file.h"
+#include "scene_pick.h"
 #include "scene_write.h"
 
 #include <emscripten.h>
@@ -89,6 +91,17 @@ EMSCRIPTEN_KEEPALIVE void page_set_camera(double eye_x, double eye_y, double eye
     memcpy(camera->target, (double[3]){target_x, target_y, target_z}, sizeof camera->target);
     memcpy(camera->up, (double[3]){up_x, up_y, up_z}, sizeof camera->up);
     camera->height = height;
+}
+
+EMSCRIPTEN_KEEPALIVE const char *page_pick(double x, double y, double aspect, double width)
+{
+    const demo_scene *scene = shown_scene();
+    camera_ray ray = camera_ray_at(&scene->camera, aspect, (double[]){x, y});
+    scene_part part;
+    page.message[0] = '\0';
+    if (scene_pick(scene, &ray, width * camera_half_height(&scene->camera, 1), &part))
+        message_write(page.message, sizeof page.message, "%s/%zu", scene_part_list(part.kind), part.index);
+    return page.message;
 }
 
 EMSCRIPTEN_KEEPALIVE void page_fill_pulse(double frame, double *weights, size_t count)

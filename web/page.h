@@ -29,6 +29,10 @@ const char *page_write(void);
 void page_set_camera(double eye_x, double eye_y, double eye_z, double target_x, double target_y, double target_z, double up_x,
                      double up_y, double up_z, double height);
 
+/* Returns what is seen at a place of the picture, as its list and its index: "paths/2"; or an empty text. The place is from -1
+ * to 1, to the right and up, and as wide as `width`, on the same scale. `aspect` is the picture's. */
+const char *page_pick(double x, double y, double aspect, double width);
+
 /* The weights of a travelling pulse: see ew_fill_pulse_weights. */
 void page_fill_pulse(double frame, double *weights, size_t count);
 

@@ -1,8 +1,8 @@
-/* The selected source over the picture: see edit_outline.h. */
+/* The selected part over the picture: see edit_outline.h. */
 #include "edit_outline.h"
 #include "camera_ray.h"
-#include "scene_edit.h"
-#include "source_shape.h"
+#include "part_handle.h"
+#include "part_shape.h"
 
 static const unsigned char pale[4] = {255, 255, 255, 110}, white[4] = {255, 255, 255, 255}, black[4] = {0, 0, 0, 255};
 
@@ -29,22 +29,27 @@ static void draw_piece(void *user, const double a[3], const double b[3])
         overlay_line(drawing->overlay, from, to, 1.5 * drawing->outline->scale, pale);
 }
 
-static void draw_handle(demo_overlay *overlay, const edit_outline *outline, const double position[3])
+static bool has_stem(const part_handle *handle)
 {
-    double pixel[2], half = 4 * outline->scale, edge = half + outline->scale;
-    if (!pixel_of(outline, position, pixel)) return;
-    overlay_box(overlay, pixel[0] - edge, pixel[1] - edge, 2 * edge, 2 * edge, black);
-    overlay_box(overlay, pixel[0] - half, pixel[1] - half, 2 * half, 2 * half, white);
+    return handle->kind == HANDLE_DIRECTION || handle->kind == HANDLE_RADIUS;
 }
 
-void edit_outline_draw(demo_overlay *overlay, const edit_outline *outline, source_part part)
+static void draw_handle(shape_drawing *drawing, const part_handle *handle)
+{
+    double pixel[2], half = 4 * drawing->outline->scale, edge = half + drawing->outline->scale;
+    if (has_stem(handle)) draw_piece(drawing, handle->from, handle->position);
+    if (!pixel_of(drawing->outline, handle->position, pixel)) return;
+    overlay_box(drawing->overlay, pixel[0] - edge, pixel[1] - edge, 2 * edge, 2 * edge, black);
+    overlay_box(drawing->overlay, pixel[0] - half, pixel[1] - half, 2 * half, 2 * half, white);
+}
+
+void edit_outline_draw(demo_overlay *overlay, const edit_outline *outline, scene_part part)
 {
     shape_drawing drawing = {overlay, outline};
-    source_shape(&outline->scene->sources, part, draw_piece, &drawing);
-    size_t count = scene_edit_point_count(outline->scene, outline->text, part);
+    part_shape(outline->scene, part, draw_piece, &drawing);
+    size_t count = part_handle_count(outline->scene, outline->text, part);
     for (size_t i = 0; i < count; i++) {
-        double position[3];
-        scene_edit_point(outline->scene, part, i, position);
-        draw_handle(overlay, outline, position);
+        part_handle handle = part_handle_at(outline->scene, outline->text, part, outline->camera, i);
+        draw_handle(&drawing, &handle);
     }
 }

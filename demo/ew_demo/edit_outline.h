@@ -1,12 +1,12 @@
 /*
- * The selected source over the picture: its shape as a line, and handles at the points that can be dragged.
+ * The selected part over the picture: its shape as a line, and the handles that can be dragged.
  */
 #ifndef EDIT_OUTLINE_H
 #define EDIT_OUTLINE_H
 
 #include "overlay.h"
 #include "scene.h"
-#include "source_part.h"
+#include "scene_part.h"
 
 typedef struct edit_outline {
     const demo_scene *scene;
@@ -16,7 +16,7 @@ typedef struct edit_outline {
     double scale;
 } edit_outline;
 
-/* Adds the source to the overlay. */
-void edit_outline_draw(demo_overlay *overlay, const edit_outline *outline, source_part part);
+/* Adds the part to the overlay. */
+void edit_outline_draw(demo_overlay *overlay, const edit_outline *outline, scene_part part);
 
 #endif

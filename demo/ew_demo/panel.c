@@ -10,13 +10,14 @@
 
 /* Columns, because the font is proportional. */
 static const char *const key_columns[] = {
-    "Space\n. ,\n[ ]\nR\nWASD\nQ E\nMouse\nWheel\nC\nH\nClick\nCtrl+Z Y S",
+    "Space\n. ,\n[ ]\nR\nWASD\nQ E\nMouse\nWheel\nC\nH\nClick\nN\nCtrl+Z Y S",
     ("pause\nnext, previous frame\nslower, faster\nrestart\nfly (Shift: faster)\ndown, up\n"
      "left: orbit, right: look\ncloser, farther\nthe scene's own camera\nthis list\n"
-     "change what shines there (scene files)\nundo, redo, save"),
-    "1 2 3\n4 5 6\nShift+1-6\nTab\nM\nP\nV\nF11\nF12\nEsc\n\n",
+     "change what is there (scene files)\nchange the next part (Shift: the one before)\nundo, redo, save"),
+    "1 2 3\n4 5 6\nShift+1-6\nTab\nM\nP\nV\nF11\nF12\nEsc\nUp Down\nLeft Right",
     ("adaptive, error 1e-2, 1e-3, 1e-4\nSimpson's rule, 64, 128, 256 divisions\nthe same for the right half\n"
-     "split the picture\nmap of evaluations, of errors, none\nthis panel\nvsync\nfull screen\nscreenshot\nquit\n\n"),
+     "split the picture\nmap of evaluations, of errors, none\nthis panel\nvsync\nfull screen\nscreenshot\nquit\n"
+     "another bar of what is changed\nmove that bar (Shift: finely)"),
 };
 enum { KEY_COLUMNS = sizeof key_columns / sizeof *key_columns };
 
@@ -94,7 +95,7 @@ static void describe(text_lines *lines, const panel_view *view)
         add(lines, "%.1f ms per frame, %.0f fps\n", view->frame_milliseconds, 1000 / view->frame_milliseconds);
     for (int half = 0; half < (view->split ? 2 : 1); half++)
         describe_half(lines, view, half);
-    add(lines, "%s\nH: keys%s", view->gl_name, view->is_animated ? "" : "; click on a light to change it");
+    add(lines, "%s\nH: keys%s", view->gl_name, view->is_animated ? "" : "; click on what you want to change");
 }
 
 /* The colours of a map, with the numbers at both ends. */

@@ -1,22 +1,22 @@
-/* Changing sources in the window: see window_edit.h. */
+/* Changing parts of a scene in the window: see window_edit.h. */
 #include "window_edit.h"
 #include "camera_ray.h"
 #include "edit_outline.h"
-#include "edit_panel.h"
+#include "part_handle.h"
 #include "scene_edit.h"
 #include "scene_pick.h"
 
 #include <math.h>
 #include <string.h>
 
-/* Both in units of the window at a scale of 1: how far a click may wander, and how far from a point one may take it. */
-static const double click_distance = 4, point_distance = 9;
+/* Both in units of the window at a scale of 1: how far a click may wander, and how far from a handle one may take it. */
+static const double click_distance = 4, handle_distance = 9;
 
 static const double warning_seconds = 6;
 
 /* ---- The picture in the window ------------------------------------------------------------------------------------------- */
 
-static bool is_editable(const demo_window *window)
+bool window_edit_is_on(const demo_window *window)
 {
     return window->options->scene && window->shows_panel;
 }
@@ -70,38 +70,40 @@ static edit_place panel_place(const demo_window *window, double pixel[2])
     return (edit_place){width, (double)scale_y};
 }
 
-static edit_panel panel_of(demo_window *window)
+edit_panel window_edit_panel(demo_window *window)
 {
     scene_document *document = document_of(window);
     edit_panel panel = edit_panel_of(&document->scene, scene_document_text(document), window->edit.selected);
+    panel.chosen = window->edit.chosen_slider;
     panel.is_saved = !document->preview && scene_document_is_saved(document);
     return panel;
 }
 
 /* ---- Taking hold --------------------------------------------------------------------------------------------------------- */
 
-/* Takes the point that is seen nearest to the cursor, if it is near. */
-static bool take_point(demo_window *window)
+/* Takes the handle that is seen nearest to the cursor, if it is near. */
+static bool take_handle(demo_window *window)
 {
     window_edit *edit = &window->edit;
-    scene_document *document = document_of(window);
+    const scene_document *document = document_of(window);
+    const char *text = scene_document_text(document);
     scene_camera camera = camera_of(window);
-    double cursor[2], size[2], nearest = point_distance;
+    double cursor[2], size[2], nearest = handle_distance;
     bool is_taken = false;
     cursor_place(window, cursor);
     window_size(window, size);
-    size_t count = scene_edit_point_count(&document->scene, scene_document_text(document), edit->selected);
+    size_t count = part_handle_count(&document->scene, text, edit->selected);
     for (size_t i = 0; i < count; i++) {
-        double position[3], place[2];
-        scene_edit_point(&document->scene, edit->selected, i, position);
-        if (camera_project(&camera, size[0] / size[1], position, place) <= 0) continue;
+        part_handle handle = part_handle_at(&document->scene, text, edit->selected, &camera, i);
+        double place[2];
+        if (camera_project(&camera, size[0] / size[1], handle.position, place) <= 0) continue;
         double offset[2] = {place[0] - cursor[0], place[1] - cursor[1]};
         double distance = hypot(offset[0] * size[0], offset[1] * size[1]) / 2;
-        if (distance > nearest) continue;
+        if (!(distance < nearest)) continue;
         nearest = distance;
-        edit->point = i;
+        edit->handle = i;
         memcpy(edit->offset, offset, sizeof offset);
-        memcpy(edit->held_from, position, sizeof position);
+        memcpy(edit->held_from, handle.position, sizeof handle.position);
         is_taken = true;
     }
     return is_taken;
@@ -111,17 +113,21 @@ static edit_grip take(demo_window *window)
 {
     double pixel[2];
     edit_place place = panel_place(window, pixel);
-    window->edit.slider = edit_panel_slider_at(place, pixel[0], pixel[1]);
-    if (window->edit.slider != EDIT_NO_SLIDER) return GRIP_SLIDER;
-    if (edit_panel_has(place, pixel[0], pixel[1])) return GRIP_PANEL;
-    return take_point(window) ? GRIP_POINT : GRIP_NONE;
+    edit_panel panel = window_edit_panel(window);
+    window->edit.slider = edit_panel_slider_at(&panel, place, pixel[0], pixel[1]);
+    if (window->edit.slider != EDIT_NO_SLIDER) {
+        window->edit.chosen_slider = window->edit.slider;
+        return GRIP_SLIDER;
+    }
+    if (edit_panel_has(&panel, place, pixel[0], pixel[1])) return GRIP_PANEL;
+    return take_handle(window) ? GRIP_HANDLE : GRIP_NONE;
 }
 
 void window_edit_press(demo_window *window)
 {
     window_edit *edit = &window->edit;
     edit->grip = GRIP_NONE;
-    edit->is_click = is_editable(window);
+    edit->is_click = window_edit_is_on(window);
     memcpy(edit->pressed, window->cursor, sizeof edit->pressed);
     if (edit->is_click && edit->has_selection) edit->grip = take(window);
 }
@@ -149,10 +155,12 @@ static void select_at_cursor(demo_window *window)
 
 /* ---- Dragging ------------------------------------------------------------------------------------------------------------ */
 
-/* The text with the held point where the cursor is, across the view. Its numbers are as fine as the pixels are. */
-static char *moved_point(demo_window *window)
+/* The text with the held handle where the cursor is, across the view. Its numbers are as fine as the pixels are. */
+static char *moved_handle(demo_window *window)
 {
     const window_edit *edit = &window->edit;
+    const scene_document *document = document_of(window);
+    const char *text = scene_document_text(document);
     scene_camera camera = camera_of(window);
     double position[3], place[2], size[2];
     memcpy(position, edit->held_from, sizeof position);
@@ -163,14 +171,14 @@ static char *moved_point(demo_window *window)
     place[1] += edit->offset[1];
     camera_move_across(&camera, aspect_of(window), place, position);
     double pixel = 2 * camera_half_height(&camera, depth) / size[1];
-    return scene_edit_move_point(scene_document_text(document_of(window)), edit->selected, edit->point, position,
-                                 pow(10, floor(log10(pixel / 3))));
+    part_handle handle = part_handle_at(&document->scene, text, edit->selected, &camera, edit->handle);
+    return part_handle_move(&document->scene, text, edit->selected, &handle, position, pow(10, floor(log10(pixel / 3))));
 }
 
 static char *moved_slider(demo_window *window)
 {
     const window_edit *edit = &window->edit;
-    edit_panel panel = panel_of(window);
+    edit_panel panel = window_edit_panel(window);
     double pixel[2];
     edit_place place = panel_place(window, pixel);
     double value = edit_panel_value_at(&panel, edit->slider, place, pixel[0]);
@@ -182,9 +190,9 @@ static void drag(demo_window *window)
 {
     char message[500];
     window_edit *edit = &window->edit;
-    bool moves = (edit->grip == GRIP_POINT && !edit->is_click) || edit->grip == GRIP_SLIDER;
+    bool moves = (edit->grip == GRIP_HANDLE && !edit->is_click) || edit->grip == GRIP_SLIDER;
     if (!moves) return;
-    char *text = edit->grip == GRIP_POINT ? moved_point(window) : moved_slider(window);
+    char *text = edit->grip == GRIP_HANDLE ? moved_handle(window) : moved_slider(window);
     if (!scene_document_preview(document_of(window), text, message, sizeof message)) window_notify(window, message);
 }
 
@@ -194,37 +202,33 @@ void window_edit_release(demo_window *window)
     window_edit *edit = &window->edit;
     if (!window->options->scene) return;
     /* What was taken before the panel was hidden is let go all the same. */
-    if (is_editable(window) && edit->is_click && edit->grip == GRIP_NONE) select_at_cursor(window);
+    if (window_edit_is_on(window) && edit->is_click && edit->grip == GRIP_NONE) select_at_cursor(window);
     drag(window);
     if (!scene_document_commit(document_of(window), message, sizeof message)) window_notify(window, message);
     edit->grip = GRIP_NONE;
     edit->is_click = false;
 }
 
-/* The source may have gone when the file was read again, or by undoing that. */
-static void check_selection(demo_window *window)
+/* The part may have gone when the file was read again, or by undoing that, or may be a shape of another kind now. */
+void window_edit_check(demo_window *window)
 {
     window_edit *edit = &window->edit;
     if (!edit->has_selection) return;
     const demo_scene *scene = window_scene(window);
-    bool is_there = edit->selected.index < source_part_count(&scene->sources, edit->selected.kind);
-    if (is_there && edit->grip == GRIP_POINT) {
-        const char *text = scene_document_text(document_of(window));
-        if (edit->point >= scene_edit_point_count(scene, text, edit->selected)) edit->grip = GRIP_NONE;
-    }
-    if (is_there) return;
-    edit->has_selection = false;
-    edit->grip = GRIP_NONE;
+    edit->has_selection = edit->selected.index < scene_part_count(scene, edit->selected.kind);
+    bool has_handle = edit->has_selection &&
+                      edit->handle < part_handle_count(scene, scene_document_text(document_of(window)), edit->selected);
+    if (!edit->has_selection || (edit->grip == GRIP_HANDLE && !has_handle)) edit->grip = GRIP_NONE;
 }
 
 void window_edit_advance(demo_window *window)
 {
-    if (!is_editable(window)) return;
-    check_selection(window);
+    if (!window_edit_is_on(window)) return;
+    window_edit_check(window);
     drag(window);
 }
 
-/* ---- Keys, and the end --------------------------------------------------------------------------------------------------- */
+/* ---- The beginning, the end, and the picture ----------------------------------------------------------------------------- */
 
 static bool can_be_drawn(void *user, const demo_scene *scene, char *message, size_t size)
 {
@@ -235,40 +239,6 @@ void window_edit_begin(demo_window *window)
 {
     window->file.document.accepts = can_be_drawn;
     window->file.document.user = window->display;
-}
-
-static void save(demo_window *window)
-{
-    char message[600];
-    if (!scene_watch_save(&window->file, message, sizeof message))
-        window_notify(window, message);
-    else
-        window_notify(window, "saved");
-}
-
-static void undo(demo_window *window)
-{
-    if (!scene_document_undo(document_of(window))) window_notify(window, "there is nothing to undo");
-}
-
-static void redo(demo_window *window)
-{
-    if (!scene_document_redo(document_of(window))) window_notify(window, "there is nothing to redo");
-}
-
-void window_edit_key(demo_window *window, int key, int scancode, int mods)
-{
-    /* What the key says on this keyboard: Z and Y change places on some. */
-    const char *name = glfwGetKeyName(key, scancode);
-    if (!name || !window->options->scene) return;
-    window->edit.grip = GRIP_NONE;
-    if (strcmp(name, "s") == 0)
-        save(window);
-    else if (strcmp(name, "y") == 0 || (strcmp(name, "z") == 0 && mods & GLFW_MOD_SHIFT))
-        redo(window);
-    else if (strcmp(name, "z") == 0)
-        undo(window);
-    check_selection(window);
 }
 
 bool window_edit_may_close(demo_window *window)
@@ -282,11 +252,11 @@ bool window_edit_may_close(demo_window *window)
 
 void window_edit_draw(demo_window *window, int width, int height, double scale)
 {
-    if (!is_editable(window) || !window->edit.has_selection) return;
+    if (!window_edit_is_on(window) || !window->edit.has_selection) return;
     scene_document *document = document_of(window);
     scene_camera camera = camera_of(window);
     edit_outline outline = {&document->scene, scene_document_text(document), &camera, width, height, scale};
     edit_outline_draw(window->overlay, &outline, window->edit.selected);
-    edit_panel panel = panel_of(window);
+    edit_panel panel = window_edit_panel(window);
     edit_panel_draw(window->overlay, &panel, (edit_place){width, scale});
 }

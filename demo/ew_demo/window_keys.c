@@ -1,6 +1,7 @@
 /* What the window's keys do: see window_keys.h. */
 #include "window_keys.h"
 #include "window_edit.h"
+#include "window_edit_keys.h"
 
 #include <math.h>
 
@@ -139,9 +140,13 @@ void window_on_key(GLFWwindow *handle, int key, int scancode, int action, int mo
     if (action == GLFW_RELEASE && key == window->command_key) window->command_key = 0;
     if (action != GLFW_RELEASE && mods & GLFW_MOD_CONTROL) {
         window->command_key = key;
-        window_edit_key(window, key, scancode, mods);
+        window_edit_key_with_ctrl(window, key, scancode, mods);
         return;
     }
+    if (action == GLFW_RELEASE)
+        window_edit_key_up(window, key);
+    else
+        window_edit_key_down(window, key, mods);
     /* Of the keys that are held down, only those that step repeat. */
     if (action == GLFW_RELEASE || (action == GLFW_REPEAT && key != GLFW_KEY_PERIOD && key != GLFW_KEY_COMMA)) return;
     if (key >= GLFW_KEY_1 && key < GLFW_KEY_1 + INTEGRATOR_COUNT)

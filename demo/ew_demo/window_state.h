@@ -9,24 +9,25 @@
 #include "display.h"
 #include "options.h"
 #include "overlay.h"
+#include "scene_part.h"
 #include "scene_watch.h"
-#include "source_part.h"
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
 /* What the left mouse button holds. */
-typedef enum edit_grip { GRIP_NONE, GRIP_POINT, GRIP_SLIDER, GRIP_PANEL } edit_grip;
+typedef enum edit_grip { GRIP_NONE, GRIP_HANDLE, GRIP_SLIDER, GRIP_PANEL } edit_grip;
 
-/* The source of a scene file that is being changed. */
+/* The part of a scene file that is being changed. */
 typedef struct window_edit {
     bool has_selection;
-    source_part selected;
+    scene_part selected;
     edit_grip grip;
-    size_t point;        /* which of the source's is held */
+    size_t handle;       /* which of the part's is held */
     int slider;          /* likewise */
-    double held_from[3]; /* where the point was when it was taken */
-    double offset[2];    /* from the cursor to the point then, as places in the picture */
+    int chosen_slider;   /* which of the part's the arrow keys change */
+    double held_from[3]; /* where the handle was when it was taken */
+    double offset[2];    /* from the cursor to the handle then, as places in the picture */
     bool is_click;       /* the button went down, and the cursor has not moved since */
     double pressed[2];
     double warned_until; /* closing the window before this time drops what is not saved */

@@ -1,6 +1,6 @@
-/* Picking: see scene_pick.h. The page's pick.mjs has the same formulas. */
+/* Picking: see scene_pick.h. */
 #include "scene_pick.h"
-#include "source_shape.h"
+#include "part_shape.h"
 #include "vector.h"
 
 /* Less light than this, where 1 is shown as white, is not what somebody clicks on. */
@@ -36,22 +36,27 @@ static double meets_box(const camera_ray *ray, const double min[3], const double
     return first > 0 && first < last ? first : HUGE_VAL;
 }
 
-static double nearest_wall(const demo_scene *scene, const camera_ray *ray)
+/* Returns how far away the nearest one is, and sets `index` to which that is; infinity where there is none. */
+static double nearest_wall(const demo_scene *scene, const camera_ray *ray, size_t *index)
 {
     double nearest = HUGE_VAL;
     for (size_t i = 0; i < scene->opaque_count; i++) {
         const opaque_shape *opaque = &scene->opaque[i];
+        double depth = HUGE_VAL;
         switch (opaque->kind) {
         case OPAQUE_BOX:
-            nearest = fmin(nearest, meets_box(ray, opaque->shape.box.min, opaque->shape.box.max));
+            depth = meets_box(ray, opaque->shape.box.min, opaque->shape.box.max);
             break;
         case OPAQUE_PLANE:
-            nearest = fmin(nearest, meets_plane(ray, opaque->shape.plane.point, opaque->shape.plane.normal));
+            depth = meets_plane(ray, opaque->shape.plane.point, opaque->shape.plane.normal);
             break;
         case OPAQUE_SPHERE:
-            nearest = fmin(nearest, meets_sphere(ray, opaque->shape.sphere.center, opaque->shape.sphere.radius));
+            depth = meets_sphere(ray, opaque->shape.sphere.center, opaque->shape.sphere.radius);
             break;
         }
+        if (!(depth < nearest)) continue;
+        nearest = depth;
+        *index = i;
     }
     return nearest;
 }
@@ -105,19 +110,20 @@ static double light_at(source_light light, double epsilon, double distance)
     return brightness * strongest * pow(share, light.sharpness > 0 ? light.sharpness : 1);
 }
 
-bool scene_pick(const demo_scene *scene, const camera_ray *ray, double width, source_part *found)
+bool scene_pick(const demo_scene *scene, const camera_ray *ray, double width, scene_part *found)
 {
-    const ew_sources_desc *sources = &scene->sources;
-    double wall = nearest_wall(scene, ray), most = least_light;
-    bool is_found = false;
-    for (int kind = 0; kind < SOURCE_KIND_COUNT; kind++)
-        for (size_t i = 0; i < source_part_count(sources, (source_kind)kind); i++) {
-            source_part part = {(source_kind)kind, i};
-            source_light light = source_part_light(sources, part);
+    size_t index = 0;
+    double wall = nearest_wall(scene, ray, &index), most = least_light;
+    bool is_found = wall < scene->camera.far_depth;
+    if (is_found) *found = (scene_part){PART_OPAQUE, index};
+    for (int kind = 0; kind < PART_OPAQUE; kind++)
+        for (size_t i = 0; i < scene_part_count(scene, (part_kind)kind); i++) {
+            scene_part part = {(part_kind)kind, i};
+            source_light light = scene_part_light(scene, part);
             /* The half of a core that stands out of a wall is seen. */
             pick_search search = {ray, wall + light.core, width, scene->camera.orthographic, HUGE_VAL};
-            source_shape(sources, part, search_piece, &search);
-            double shown = light_at(light, sources->epsilon, search.nearest);
+            part_shape(scene, part, search_piece, &search);
+            double shown = light_at(light, scene->sources.epsilon, search.nearest);
             if (!(shown > most)) continue;
             most = shown;
             *found = part;

@@ -1,7 +1,7 @@
 #!/bin/sh
-# A scene file is changed in ew-demo's window by the mouse and saved, under Xvfb: what shines is selected by a click on its light, its
-# point and its reach are dragged, and undone. The file then holds what was done, and else what it held before. What another
-# program saves meanwhile is not overwritten.
+# A scene file is changed in ew-demo's window by the mouse and by keys, and saved, under Xvfb: sources and opaque shapes are selected by
+# a click on them, their points, arrows, radii and corners and their sliders are dragged, and undone. The file then holds what was done,
+# and else what it held before. What another program saves meanwhile is not overwritten.
 # Usage: edit.sh EW_DEMO EW_RENDER SCENES VERSION
 ew_demo=$1
 . "$(dirname "$0")/../checks.sh"
@@ -83,11 +83,53 @@ press ctrl+shift+z
 saves wider.json
 press ctrl+z ctrl+z
 
+# The bar that the mouse has moved is the one that the keys move.
+press Right
+sed 's/"reach": 1,/"reach": 1.1,/' original.json > key.json
+saves key.json
+press ctrl+z
+
 # The core may not be wider than the reach: the slider ends before it.
 drags 302 46 390 46
 sed 's/"core": 0.1/"core": 0.95/' original.json > core.json
 saves core.json
 press ctrl+z
+
+# changes FROM TO: the script of sed that makes the file that is expected next, out of the last one.
+changes() {
+    sed "s/$1/$2/" expected.json > next.json
+    cmp -s next.json expected.json && complain "$1 is not in the file"
+    mv next.json expected.json
+}
+
+# Keys do the same. N goes from part to part: to the orb, whose core is the first bar of 4 powers of ten; to the beam; to none; and back.
+# An arrow moves a bar by a hundredth of its length, and with Shift by a thousandth.
+clicks 20 280
+cp original.json expected.json
+press n Right
+changes '"core": 0.2' '"core": 0.219'
+saves expected.json
+press Down shift+Left
+changes '"reach": 1.00' '"reach": 0.991'
+saves expected.json
+press n Down Right Right
+changes '"brightness": 2 }] }' '"brightness": 2.16 }] }'
+saves expected.json
+press n Left shift+n Up shift+Right
+changes '"reach": 1,' '"reach": 1.01,'
+saves expected.json
+press p n Right p
+saves expected.json
+
+# However long a key is down, that is one step.
+xdotool keydown Right sleep 1.5 keyup Right
+press ctrl+s
+waits 'a key that is held goes on' sh -c 'grep -q "reach\": \(1\.[2-9]\|[2-9]\|[1-9][0-9]\)" scene.json'
+press ctrl+z
+saves expected.json
+press ctrl+z ctrl+z ctrl+z ctrl+z ctrl+z
+saves original.json
+press shift+n
 
 # A click beside all light selects nothing: what was a point's handle then turns the camera.
 clicks 20 280
@@ -135,4 +177,68 @@ shows warning.png
 closes
 holds original.json || complain 'closing saves'
 [ "$(find . -name '*.tmp')" = '' ] || complain "it leaves $(find . -name '*.tmp')"
+
+# Directions are dragged by the ends of arrows, which are 37.5 pixels long: from there to (22.5, 30) or (30, 22.5) they turn by 3 : 4 : 5.
+# Radii are dragged by their ends, and boxes by their middles and corners. At the corner's depth of 9.5, a pixel is 0.0317 units.
+cat > expected.json << 'TEXT'
+{ "camera": { "eye": [0, 0, 10], "target": [0, 0, 0], "fov_y_degrees": 53.13010235415598 },
+  "lines": [{ "position": [-5, -4, 0], "direction": [7, 0, 0], "core": 0.05, "reach": 0.3, "brightness": 2 }],
+  "tori": [{ "center": [-4, 2, 0], "axis": [0, 2, 0], "radius": 1, "core": 0.05, "reach": 0.3, "brightness": 2 }],
+  "opaque": [{ "shape": "box", "min": [-5, -2, -0.5], "max": [-4, -1, 0.5] },
+    { "shape": "sphere", "center": [1, -2.5, 0], "radius": 1 },
+    { "shape": "plane", "point": [6, -5, -10], "normal": [0, 1, 0.0] }] }
+TEXT
+cp expected.json shapes.json
+rm scene.json kept.json
+cp expected.json scene.json
+opens "$ew_demo" --size 400x300 --samples 1 scene.json
+waits 'the shapes are shown' has_colors opened.png
+
+clicks 110 91
+drags 110 90 125 90
+changes '"radius": 1, "core"' '"radius": 1.5, "core"'
+saves expected.json
+drags 80 53 110 68
+changes '\[0, 2, 0\]' '[0.8, 0.6, 0]'
+saves expected.json
+
+clicks 65 195
+drags 65 195 95 165
+changes '\[-5, -2, -0.5\], "max": \[-4, -1, 0.5\]' '[-4, -1, -0.5], "max": [-3, 0, 0.5]'
+saves expected.json
+shows box.png
+drags 105 150 124 131
+changes '\[-3, 0, 0.5\]' '[-2.4, 0.6, 0.5]'
+saves expected.json
+
+clicks 235 230
+drags 260 225 275 225
+changes '"radius": 1 }' '"radius": 1.5 }'
+saves expected.json
+drags 230 225 200 225
+changes '\[1, -2.5, 0\]' '[0, -2.5, 0]'
+saves expected.json
+
+clicks 150 272
+drags 88 270 73 240
+changes '\[7, 0, 0\]' '[0.6, 0.8, 0]'
+saves expected.json
+
+clicks 330 280
+drags 290 188 320 203
+changes '\[0, 1, 0.0\]' '[0.8, 0.6, 0]'
+saves expected.json
+drags 290 225 305 225
+changes '\[6, -5, -10\]' '[7, -5, -10]'
+saves expected.json
+
+# Shapes have no bars, but N comes to them, behind the sources: from the plane on to none, the line and the ring.
+press Right n n n Right
+changes '1.5, "core": 0.05' '1.5, "core": 0.0548'
+saves expected.json
+press ctrl+z ctrl+z ctrl+z ctrl+z ctrl+z ctrl+z ctrl+z ctrl+z ctrl+z ctrl+z ctrl+z ctrl+z
+saves shapes.json
+press h
+shows keys.png
+closes
 concludes

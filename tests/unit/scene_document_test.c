@@ -16,7 +16,7 @@ static const char original[] =
     "             { \"polynomial\": [[1, 2, 3], [4, 5, 6], [7, 8, 9]], \"reach\": 1 }],\n"
     "  \"paths\": [{ \"points\": [[0,0,0], [1,0,0]], \"core\": 0.1, \"reach\": 1 }] }\n";
 
-static const source_part orb = {SOURCE_POINT, 0}, path_part = {SOURCE_PATH, 0};
+static const scene_part orb = {PART_POINT, 0}, path_part = {PART_PATH, 0};
 
 static void write_file(const char *text)
 {
@@ -57,7 +57,7 @@ static void commit(scene_document *document)
     if (!scene_document_commit(document, message, sizeof message)) fail_msg("%s", message);
 }
 
-static void set(scene_document *document, source_part part, const char *key, double number)
+static void set(scene_document *document, scene_part part, const char *key, double number)
 {
     preview(document, scene_edit_set_number(scene_document_text(document), part, key, number));
 }
@@ -166,43 +166,13 @@ static void what_cannot_be_saved_is_said(void **state)
     scene_document_close(&document);
 }
 
-static void check_moved(const demo_scene *scene, source_part part, size_t point, const double old[3], const char *was,
-                        const char *is)
-{
-    double position[3];
-    scene_edit_point(scene, part, point, position);
-    for (int i = 0; i < 3; i++)
-        check_close(position[i], old[i], 1e-15);
-    char *text = scene_edit_move_point(original, part, point, (double[]){0.12345, -0.0001, 20.006}, 0.01);
-    assert_string_equal(text, original_with(was, is));
-    free(text);
-}
-
-static void points_of_every_kind_are_moved(void **state)
-{
-    (void)state;
-    scene_document document = open_original();
-    const demo_scene *scene = &document.scene;
-    const source_part bezier = {SOURCE_CURVE, 0}, polynomial = {SOURCE_CURVE, 1};
-    assert_int_equal(scene_edit_point_count(scene, original, orb), 1);
-    assert_int_equal(scene_edit_point_count(scene, original, bezier), 3);
-    assert_int_equal(scene_edit_point_count(scene, original, polynomial), 1);
-    assert_int_equal(scene_edit_point_count(scene, original, path_part), 2);
-    check_moved(scene, orb, 0, (double[]){1, 2, 3}, "[1.0, 2, 3]", "[0.12, 0, 20.01]");
-    check_moved(scene, bezier, 1, (double[]){1, 2, 0}, "[1, 2, 0]", "[0.12, 0, 20.01]");
-    check_moved(scene, bezier, 2, (double[]){3, 1, 1}, "[3, 1, 1]", "[0.12, 0, 20.01]");
-    check_moved(scene, polynomial, 0, (double[]){1, 2, 3}, "[1, 2, 3]", "[0.12, 0, 20.01]");
-    check_moved(scene, path_part, 1, (double[]){1, 0, 0}, "[1,0,0]", "[0.12, 0, 20.01]");
-    scene_document_close(&document);
-}
-
-static void sources_are_called_by_their_names(void **state)
+static void parts_are_called_by_their_names(void **state)
 {
     (void)state;
     char title[20];
     scene_edit_title(original, orb, title, sizeof title);
     assert_string_equal(title, "orb");
-    scene_edit_title(original, (source_part){SOURCE_CURVE, 1}, title, sizeof title);
+    scene_edit_title(original, (scene_part){PART_CURVE, 1}, title, sizeof title);
     assert_string_equal(title, "curves[1]");
 }
 
@@ -213,8 +183,7 @@ int main(void)
         cmocka_unit_test(what_is_refused_changes_nothing),
         cmocka_unit_test(what_is_read_again_can_be_undone),
         cmocka_unit_test(what_cannot_be_saved_is_said),
-        cmocka_unit_test(points_of_every_kind_are_moved),
-        cmocka_unit_test(sources_are_called_by_their_names),
+        cmocka_unit_test(parts_are_called_by_their_names),
     };
     int failures = cmocka_run_group_tests(tests, NULL, NULL);
     remove(path);

@@ -1,8 +1,8 @@
 /* What is under the pointer, and the shapes and rays by which it is found. */
 #include "check.h"
+#include "part_shape.h"
 #include "scene_file.h"
 #include "scene_pick.h"
-#include "source_shape.h"
 #include "vector.h"
 
 #include <stdio.h>
@@ -25,7 +25,7 @@ static int pick(const char *text, double x, double y)
 {
     demo_scene scene = parse(text);
     camera_ray ray = camera_ray_at(&scene.camera, aspect, (double[]){x, y});
-    source_part part;
+    scene_part part;
     int kind = scene_pick(&scene, &ray, 0, &part) ? (int)part.kind : -1;
     scene_free(&scene);
     return kind;
@@ -60,23 +60,23 @@ static void every_kind_is_found_where_it_shines(void **state)
 {
     (void)state;
     static const char *const points = "{ " CAMERA " }, \"points\": [{ \"position\": [4, 1, 0], " LIGHT " }] }";
-    assert_int_equal(pick(points, 0.4, 0.2), SOURCE_POINT);
-    assert_int_equal(pick(points, 0.4, 0.35), SOURCE_POINT);
+    assert_int_equal(pick(points, 0.4, 0.2), PART_POINT);
+    assert_int_equal(pick(points, 0.4, 0.35), PART_POINT);
     assert_int_equal(pick(points, 0.4, 0.45), -1);
     static const char *const lines =
         "{ " CAMERA " }, \"lines\": [{ \"position\": [0, 1, 0], \"direction\": [1, 0, 0], " LIGHT " }] }";
-    assert_int_equal(pick(lines, -0.9, 0.2), SOURCE_LINE);
+    assert_int_equal(pick(lines, -0.9, 0.2), PART_LINE);
     assert_int_equal(pick(lines, 0.9, -0.1), -1);
     static const char *const tori =
         "{ " CAMERA " }, \"tori\": [{ \"center\": [0, 0, 0], \"axis\": [0, 0, 1], \"radius\": 3, " LIGHT " }] }";
-    assert_int_equal(pick(tori, 0.3, 0), SOURCE_TORUS);
+    assert_int_equal(pick(tori, 0.3, 0), PART_TORUS);
     assert_int_equal(pick(tori, 0, 0), -1);
     static const char *const curves =
         "{ " CAMERA " }, \"curves\": [{ \"control_points\": [[-4, 0, 0], [0, 6, 0], [4, 0, 0]], " LIGHT " }] }";
-    assert_int_equal(pick(curves, 0, 0.6), SOURCE_CURVE);
+    assert_int_equal(pick(curves, 0, 0.6), PART_CURVE);
     assert_int_equal(pick(curves, 0, 0.1), -1);
     static const char *const paths = "{ " CAMERA " }, \"paths\": [{ \"points\": [[-4, 2, 0], [4, 2, 0]], " LIGHT " }] }";
-    assert_int_equal(pick(paths, 0, 0.4), SOURCE_PATH);
+    assert_int_equal(pick(paths, 0, 0.4), PART_PATH);
     assert_int_equal(pick(paths, 0.6, 0.4), -1);
 }
 
@@ -85,11 +85,11 @@ static void the_brightest_is_found(void **state)
     (void)state;
     static const char *const text = "{ " CAMERA " }, \"points\": [{ \"position\": [0, 0, 0], " LIGHT " }],"
                                     " \"paths\": [{ \"points\": [[-4, 0.5, -1], [4, 0.5, -1]], " LIGHT " }] }";
-    assert_int_equal(pick(text, 0, 0), SOURCE_POINT);
-    assert_int_equal(pick(text, 0, 0.1), SOURCE_PATH);
+    assert_int_equal(pick(text, 0, 0), PART_POINT);
+    assert_int_equal(pick(text, 0, 0.1), PART_PATH);
 }
 
-static void nothing_is_found_behind_walls_or_the_eye(void **state)
+static void walls_are_found_and_nothing_behind_them(void **state)
 {
     (void)state;
 #define ORB "\"points\": [{ \"position\": [0, 0, 0], " LIGHT " }]"
@@ -101,12 +101,32 @@ static void nothing_is_found_behind_walls_or_the_eye(void **state)
     for (size_t i = 0; i < sizeof walls / sizeof *walls; i++) {
         char text[600];
         snprintf(text, sizeof text, "{ " CAMERA " }, " ORB ", \"opaque\": [%s] }", walls[i]);
-        assert_int_equal(pick(text, 0, 0), -1);
+        assert_int_equal(pick(text, 0, 0), PART_OPAQUE);
     }
-    assert_int_equal(
-        pick("{ " CAMERA " }, " ORB ", \"opaque\": [{ \"shape\": \"sphere\", \"center\": [0, 0, -3], \"radius\": 1 }] }", 0, 0),
-        SOURCE_POINT);
+#define SPHERE "\"opaque\": [{ \"shape\": \"sphere\", \"center\": [0, 0, -3], \"radius\": 2 }]"
+    static const char *const before[] = {"{ " CAMERA " }, " ORB ", " SPHERE " }",
+                                         "{ " CAMERA ", \"far\": 10.5 }, " ORB ", " SPHERE " }"};
+    assert_int_equal(pick(before[0], 0, 0), PART_POINT);
+    assert_int_equal(pick(before[0], 0.1, 0.2), PART_OPAQUE);
+    /* What is beyond the far plane is not seen. */
+    assert_int_equal(pick(before[1], 0.1, 0.2), -1);
     assert_int_equal(pick("{ " CAMERA " }, \"points\": [{ \"position\": [0, 0, 13], " LIGHT " }] }", 0, 0), -1);
+}
+
+static void the_nearest_wall_is_found(void **state)
+{
+    (void)state;
+    demo_scene scene = parse("{ " CAMERA " }, \"opaque\": [{ \"shape\": \"box\", \"min\": [-1, -1, -1], \"max\": [1, 1, 1] },"
+                             " { \"shape\": \"sphere\", \"center\": [0, 0, 3], \"radius\": 1 },"
+                             " { \"shape\": \"plane\", \"point\": [0, 0, -2], \"normal\": [0, 0, 1] }] }");
+    const double places[3][2] = {{0.11, 0.22}, {0, 0}, {0.5, 0.5}};
+    for (size_t i = 0; i < 3; i++) {
+        camera_ray ray = camera_ray_at(&scene.camera, aspect, places[i]);
+        scene_part part;
+        assert_true(scene_pick(&scene, &ray, 0, &part));
+        assert_int_equal(part.index, i);
+    }
+    scene_free(&scene);
 }
 
 /* Adds the pieces up, and checks that they hang together. */
@@ -137,7 +157,7 @@ static walk walk_along(const char *path)
     snprintf(text, sizeof text, "{ " CAMERA " }, \"paths\": [{ %s, " LIGHT " }] }", path);
     demo_scene scene = parse(text);
     walk result = {0};
-    source_shape(&scene.sources, (source_part){SOURCE_PATH, 0}, step, &result);
+    part_shape(&scene, (scene_part){PART_PATH, 0}, step, &result);
     scene_free(&scene);
     return result;
 }
@@ -180,7 +200,8 @@ int main(void)
         cmocka_unit_test(rays_lead_back_to_what_was_projected),
         cmocka_unit_test(every_kind_is_found_where_it_shines),
         cmocka_unit_test(the_brightest_is_found),
-        cmocka_unit_test(nothing_is_found_behind_walls_or_the_eye),
+        cmocka_unit_test(walls_are_found_and_nothing_behind_them),
+        cmocka_unit_test(the_nearest_wall_is_found),
         cmocka_unit_test(shapes_of_paths_begin_and_end_where_the_paths_do),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

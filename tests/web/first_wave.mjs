@@ -130,8 +130,7 @@ async function showMark(box) {
 async function takePicture(path, mark) {
     const box = await mark?.();
     await page.mouse.move(2, 2); // away from what it would light up
-    await page.waitForTimeout(400); // until the picture is drawn with all its pixels
-    await rests();
+    await rests(); // until the picture is drawn with all its pixels
     if (box) await showMark(box);
     await page.screenshot({ path, type: 'jpeg', quality: 84 });
     await page.evaluate(() => document.getElementById('mark')?.remove());

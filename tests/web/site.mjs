@@ -7,7 +7,7 @@ import { darkScene } from './dark.mjs';
 import { inFolder, serve } from './serve.mjs';
 
 const [site, native, folder] = process.argv.slice(2);
-const [width, height] = [368, 207];
+const pngSize = [368, 207];
 const viewport = { width: 900, height: 520 }, pillar = [290, 250]; // where the pillar of the empty floor is seen
 const mostBytes = 1e6, most = 2; // of 255
 const mostLeft = 0.001; // of the pixels: silhouettes
@@ -17,15 +17,21 @@ rmSync(folder, { recursive: true, force: true });
 mkdirSync(folder, { recursive: true });
 const server = await serve(inFolder(site), 0);
 const address = `http://127.0.0.1:${server.address().port}/`;
-const { page, browser } = await launch('swiftshader', folder, `${address}?any`, // so that going to `address` loads the page anew
-    { viewport, permissions: ['clipboard-read', 'clipboard-write'] });
-page.setDefaultTimeout(patience);
-
 const requests = [], faults = [];
-browser.on('request', (request) => requests.push(request.url()));
-page.on('pageerror', (error) => faults.push(String(error)));
-page.on('console', (message) => ['error', 'warning'].includes(message.type()) && faults.push(message.text()));
-await page.reload(); // so that what loading asks for is among them
+
+// Opens the page in a browser of its own, and takes note of what it asks for and complains of. `profile` is the browser's folder.
+async function open(profile, options) {
+    const opened = await launch('swiftshader', profile, `${address}?any`, options); // so that going to `address` loads the page anew
+    opened.page.setDefaultTimeout(patience);
+    opened.browser.on('request', (request) => requests.push(request.url()));
+    opened.page.on('pageerror', (error) => faults.push(String(error)));
+    opened.page.on('console', (message) => ['error', 'warning'].includes(message.type()) && faults.push(message.text()));
+    await opened.page.reload(); // so that what loading asks for is among them
+    return opened;
+}
+
+const { page: firstPage, browser } = await open(folder, { viewport, permissions: ['clipboard-read', 'clipboard-write'] });
+let page = firstPage; // that the functions below use
 
 const rests = () => page.waitForFunction(() => document.getElementById('stage').getAttribute('aria-busy') === 'false' && document.getElementById('loading').hidden);
 const look = (name) => page.screenshot({ path: `${folder}/${name}.png` });
@@ -69,13 +75,13 @@ function differences(a, b) {
 
 function renderNatively(path) {
     const picture = `${folder}/native.png`;
-    execFileSync(`${native}/demo/ew-render`, [path, '-o', picture, '--size', `${width}x${height}`, '--resolution', 'full'], { stdio: ['ignore', 'ignore', 'inherit'] });
+    execFileSync(`${native}/demo/ew-render`, [path, '-o', picture, '--size', pngSize.join('x'), '--resolution', 'full'], { stdio: ['ignore', 'ignore', 'inherit'] });
     return readFileSync(picture);
 }
 
 async function pagePng() {
-    await page.fill('#png-width', String(width));
-    await page.fill('#png-height', String(height));
+    await page.fill('#png-width', String(pngSize[0]));
+    await page.fill('#png-height', String(pngSize[1]));
     return saved('#png');
 }
 
@@ -91,6 +97,61 @@ async function bothPictures(name, scene) {
     const png = await pagePng();
     writeFileSync(`${folder}/saved.json`, await saved());
     return [png, renderNatively(`${folder}/saved.json`)];
+}
+
+// Waits until the canvas has the pixels of a screen with `density` of them in one of the page's, each way, and rests with them.
+async function isSharp(density, what) {
+    const { width, height } = await page.locator('#canvas').boundingBox(), wanted = [width, height].map((side) => Math.round(side * density));
+    const isWanted = ([x, y]) => document.getElementById('canvas').width === x && document.getElementById('canvas').height === y;
+    await page.waitForFunction(isWanted, wanted).catch(() => {});
+    await rests();
+    const found = await page.evaluate(() => [document.getElementById('canvas').width, document.getElementById('canvas').height]);
+    expect(found.join() === wanted.join(), `${what}, the canvas has ${found} pixels, where the screen has ${wanted}`);
+}
+
+// Where the picture, of the screen's pixels, is brightest: the middle of all pixels that are nearly as bright as one can be.
+async function brightestPlace() {
+    const png = (await page.locator('#stage').screenshot({ path: `${folder}/sharp.png` })).toString('base64');
+    return page.evaluate(async (text) => {
+        const bitmap = await createImageBitmap(new Blob([Uint8Array.from(atob(text), (c) => c.charCodeAt(0))], { type: 'image/png' }));
+        const context = new OffscreenCanvas(bitmap.width, bitmap.height).getContext('2d');
+        context.drawImage(bitmap, 0, 0);
+        const { data } = context.getImageData(0, 0, bitmap.width, bitmap.height);
+        const sum = [0, 0, 0];
+        for (let i = 0; i < data.length; i += 4)
+            if (data[i + 1] > 190 && data[i + 2] > 190) [1, (i / 4) % bitmap.width + 0.5, Math.floor(i / 4 / bitmap.width) + 0.5].forEach((x, k) => (sum[k] += x));
+        return [sum[1] / sum[0], sum[2] / sum[0]];
+    }, png);
+}
+
+// The empty floor's camera looks from 7 units away at its middle, in front of a pillar 0.7 units wide, whose front is 8.65 units away.
+async function choosesAndMoves() {
+    const { width, height } = await page.locator('#stage').boundingBox(), middle = [width / 2, height / 2];
+    const rowsPerUnit = height / 2 / Math.tan((20 * Math.PI) / 180); // at a view depth of 1
+    for (const [offset, name] of [[0.3, 'Pillar'], [-0.3, 'Pillar'], [0.4, 'Floor']]) {
+        await page.mouse.click(middle[0] + (offset / 8.7) * rowsPerUnit, middle[1] + 10);
+        const chosen = await page.textContent('#selected-title');
+        expect(chosen === name, `a click ${offset} units beside the pillar's middle chooses ${chosen}`);
+    }
+    await page.click('#add-orb');
+    await page.mouse.move(...middle);
+    await page.mouse.down();
+    await page.mouse.move(middle[0] - 90, middle[1] - 40, { steps: 4 });
+    await page.mouse.up();
+    const scene = await savedScene(), distance = Math.hypot(7, 1);
+    const moved = (-scene.points[0].position[0] * rowsPerUnit) / distance;
+    expect(Math.abs(moved - 90) < 0.01, `dragged by 90 pixels, the orb moves by ${moved}`);
+    await page.keyboard.press('Escape');
+    await page.evaluate(() => (document.getElementById('hint').hidden = true));
+    await isSharp(2, 'at last');
+    const seen = (await brightestPlace()).map((x) => x / 2);
+    expect(Math.abs(seen[0] - middle[0] + 90) < 1 && Math.abs(seen[1] - middle[1] + 40) < 1, `the orb is seen at ${seen}, not where it was dragged to from ${middle}`);
+    const png = await pagePng();
+    expect(png.readUInt32BE(16) === pngSize[0] && png.readUInt32BE(20) === pngSize[1], `the PNG is ${png.readUInt32BE(16)} pixels wide`);
+    writeFileSync(`${folder}/saved.json`, JSON.stringify(scene));
+    const counted = (await differences(png, renderNatively(`${folder}/saved.json`))).filter((difference) => difference > most).length;
+    expect(counted <= mostLeft * pngSize[0] * pngSize[1], `${counted} pixels of the PNG are another picture`);
+    await isSharp(2, 'after a PNG');
 }
 
 const tests = {
@@ -218,6 +279,20 @@ const tests = {
         expect(Math.abs(near * 3 - 1) < 0.01, `fingers that are three times as far apart come ${1 / near} times as close`);
         await page.keyboard.press('Escape');
     },
+    'a click goes through what is hidden': async () => {
+        await startFrom('empty');
+        const chosen = async () => {
+            await page.keyboard.press('Escape');
+            await page.mouse.click(...pillar);
+            return (await page.isVisible('#selected')) ? page.textContent('#selected-title') : 'nothing';
+        };
+        await page.click('[aria-label="Hide Floor"]');
+        expect((await chosen()) === 'Pillar', `without the floor, a click on the pillar chooses ${await chosen()}`);
+        await page.click('[aria-label="Hide Pillar"]');
+        expect((await chosen()) === 'nothing', `without both, a click on the pillar chooses ${await chosen()}`);
+        await page.click('[aria-label="Hide Floor"]');
+        expect((await chosen()) === 'Floor', `without the pillar, a click on it chooses ${await chosen()}`);
+    },
     'a file that is dropped is opened, and a wrong one is not': async () => {
         const drop = (name, text) => page.evaluate(([fileName, content]) => {
             const dataTransfer = new DataTransfer();
@@ -263,7 +338,7 @@ const tests = {
         const libraries = execFileSync('sh', ['-c', 'pkg-config --libs jansson egl; pkg-config --libs osmesa || true'], { encoding: 'utf8', stdio: ['ignore', 'pipe', 'ignore'] }).split(/\s+/).filter(Boolean);
         execFileSync('cc', ['-std=c11', '-Wall', '-Wextra', '-Wpedantic', '-Werror', '-DEW_STATIC', '-Isrc', '-Idemo/support', `-I${folder}`, 'tests/web/copied_c.c', '-o', `${folder}/copied_c`,
             `${native}/demo/support/libew_demo_support.a`, `${native}/demo/support/libew_contexts.a`, `${native}/src/libenergywave.a`, ...libraries, '-lm'], { stdio: 'inherit' });
-        execFileSync(`${folder}/copied_c`, [`${folder}/rest.json`, `${folder}/copied.png`, width, height].map(String));
+        execFileSync(`${folder}/copied_c`, [`${folder}/rest.json`, `${folder}/copied.png`, ...pngSize].map(String));
         const largest = Math.max(...(await differences(readFileSync(`${folder}/copied.png`), renderNatively(`${folder}/saved.json`))));
         expect(largest === 0, `the copied C is ${largest}/255 off`);
     },
@@ -380,6 +455,27 @@ const tests = {
             }).filter(([, ratio]) => ratio < 4.5);
         });
         expect(poor.length === 0, `too little contrast: ${JSON.stringify(poor)}`);
+    },
+    'a fine screen gets all its pixels, after any change of size, and what is under the pointer is chosen and moved': async () => {
+        const fine = await open(`${folder}/fine`, { viewport: { width: 720, height: 400 }, deviceScaleFactor: 2 });
+        try {
+            page = fine.page;
+            await page.waitForFunction(() => document.getElementById('loading').hidden);
+            await startFrom('empty');
+            await isSharp(2, 'at first');
+            await page.setViewportSize({ width: 700, height: 401 }); // where it is no whole number of pixels high
+            await isSharp(2, 'resized');
+            const devtools = await fine.browser.newCDPSession(page);
+            await devtools.send('Emulation.setDeviceMetricsOverride', { width: 700, height: 401, deviceScaleFactor: 1.25, mobile: false });
+            await isSharp(1.25, 'on another screen');
+            await page.setViewportSize({ width: 800, height: 440 });
+            await devtools.send('Emulation.setDeviceMetricsOverride', { width: 800, height: 440, deviceScaleFactor: 2, mobile: false });
+            await isSharp(2, 'back');
+            await choosesAndMoves();
+        } finally {
+            await fine.browser.close();
+            page = firstPage;
+        }
     },
     'nothing comes from elsewhere, and nothing complains': async () => {
         const foreign = requests.filter((url) => !url.startsWith(address) && !/^(data|blob):/.test(url));

@@ -30,6 +30,7 @@ function sync(now) {
 }
 
 const report = {
+    changes: () => at('stage').setAttribute('aria-busy', 'true'),
     progress(share) {
         at('loading').hidden = false;
         at('loading').classList.toggle('again', hasPicture);

@@ -36,6 +36,8 @@ export async function createEngine(canvas) {
         },
         write: () => module.UTF8ToString(module._page_write()),
         setCamera: ({ eye, target, up, height }) => module._page_set_camera(...eye, ...target, ...up, height),
+        // The key of what is seen at a place of what is drawn, or ''. The place is from -1 to 1, to the right and up, and so wide.
+        pick: (x, y, aspect, width) => module.UTF8ToString(module._page_pick(x, y, aspect, width)),
         setIntegrator: (isRight, { integrator, quality, divisions }) =>
             module._page_set_integrator(isRight, integrator, quality, divisions),
         setView: (mode, split) => module._page_set_view(mode, split),

@@ -21,7 +21,8 @@ function click(x, y) {
     court.takeCamera();
     if (court.isShown) court.hasOwnCamera = true;
     editMoment();
-    app.select(pick(app.history.current, app.camera.ray(x, y, width, height), app.camera.unitsPerPixel(1, height)));
+    app.engine.setCamera(app.camera);
+    app.select(pick(app.history.current, app.engine, x, y, width, height));
 }
 
 function watchDrops() {

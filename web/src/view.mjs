@@ -10,36 +10,38 @@ export class View {
     #wasFull = false;
     #fence; // behind the last picture, until the GPU has drawn it
     #drawnAt = 0;
+    #lastSize;
 
     // `sync(now)` tells the engine what to draw; returns whether it moves by itself. `report` gets progress, errors and pictures.
     constructor(canvas, stage, engine, sync, report) {
         Object.assign(this, { canvas, stage, engine, sync, report, isStopped: false });
         this.gl = canvas.getContext('webgl2'); // the engine's
-        this.observer = new ResizeObserver(() => this.wake());
-        this.observer.observe(stage);
         requestAnimationFrame((now) => this.#frame(now));
     }
 
     stop() {
         this.isStopped = true;
-        this.observer.disconnect();
     }
 
     wake() {
         this.#isDirty = true;
         this.#lastChange = performance.now();
+        this.report.changes();
     }
 
+    // In pixels of the screen. They change with the zoom, and when the window goes to another screen, and no event says so.
     get size() {
-        return [this.stage.clientWidth, this.stage.clientHeight].map((side) => Math.max(1, Math.round(side * devicePixelRatio)));
+        const { width, height } = this.stage.getBoundingClientRect();
+        return [width, height].map((side) => Math.max(1, Math.round(side * devicePixelRatio)));
     }
 
     #frame(now) {
         if (this.isStopped) return;
         requestAnimationFrame((next) => this.#frame(next));
         if (!this.#isDone()) return;
-        const moves = this.sync(now) && !document.hidden;
-        if (moves) this.wake();
+        const moves = this.sync(now) && !document.hidden, size = this.size.join();
+        if (moves || size !== this.#lastSize) this.wake();
+        this.#lastSize = size;
         const rests = performance.now() - this.#lastChange > restMilliseconds;
         if (this.#isDirty || (rests && !this.#wasFull)) this.#draw(rests ? 1 : this.#scale, rests);
     }
@@ -51,7 +53,7 @@ export class View {
         if (gl.clientWaitSync(this.#fence.sync, 0, 0) === gl.TIMEOUT_EXPIRED) return false;
         gl.deleteSync(this.#fence.sync);
         if (!this.#fence.rests) this.#adapt(performance.now() - this.#drawnAt);
-        this.report.drawn(this.#fence.rests);
+        this.report.drawn(this.#fence.rests && !this.#isDirty);
         this.#fence = undefined;
         return true;
     }

@@ -1,15 +1,15 @@
-/* The shapes of sources: see source_shape.h. */
-#include "source_shape.h"
+/* The shapes of parts: see part_shape.h. */
+#include "part_shape.h"
 #include "vector.h"
 
 #include <stdbool.h>
 #include <string.h>
 
-enum { PIECES_OF_BEND = 16, PIECES_OF_TORUS = 64, PIECES_OF_HALF_LINE = 40 };
+enum { PIECES_OF_BEND = 16, PIECES_OF_CIRCLE = 64, PIECES_OF_HALF_LINE = 40 };
 
 /* Who takes the pieces. */
 typedef struct shape_taker {
-    source_piece *take;
+    part_piece *take;
     void *user;
 } shape_taker;
 
@@ -36,16 +36,17 @@ static void line_shape(const shape_taker *taker, const ew_line *line)
     }
 }
 
-static void torus_shape(const shape_taker *taker, const ew_torus *torus)
+/* A regular polygon of so many corners in the circle. */
+static void circle_shape(const shape_taker *taker, const double center[3], const double direction[3], double radius, int count)
 {
     double axis[3], u[3], v[3], a[3], b[3];
-    vector_normalize(torus->axis, axis);
+    vector_normalize(direction, axis);
     vector_across(axis, u, v);
-    vector_add_scaled(torus->center, torus->radius, u, a);
-    for (int i = 1; i <= PIECES_OF_TORUS; i++) {
-        double angle = 2 * M_PI * i / PIECES_OF_TORUS;
-        vector_add_scaled(torus->center, torus->radius * cos(angle), u, b);
-        vector_add_scaled(b, torus->radius * sin(angle), v, b);
+    vector_add_scaled(center, radius, u, a);
+    for (int i = 1; i <= count; i++) {
+        double angle = 2 * M_PI * i / count;
+        vector_add_scaled(center, radius * cos(angle), u, b);
+        vector_add_scaled(b, radius * sin(angle), v, b);
         taker->take(taker->user, a, b);
         vector_copy(b, a);
     }
@@ -153,24 +154,80 @@ static void path_shape(const shape_taker *taker, const ew_path *path)
     }
 }
 
-void source_shape(const ew_sources_desc *sources, source_part part, source_piece *take, void *user)
+/* ---- Opaque shapes ------------------------------------------------------------------------------------------------------- */
+
+/* The corner with this number has the largest coordinate on the axes whose bits are set in it. */
+static void box_corner(const double min[3], const double max[3], int number, double result[3])
 {
+    for (int axis = 0; axis < 3; axis++)
+        result[axis] = number >> axis & 1 ? max[axis] : min[axis];
+}
+
+static void box_shape(const shape_taker *taker, const double min[3], const double max[3])
+{
+    double a[3], b[3];
+    for (int number = 0; number < 8; number++)
+        for (int axis = 0; axis < 3; axis++) {
+            if (number >> axis & 1) continue;
+            box_corner(min, max, number, a);
+            box_corner(min, max, number | 1 << axis, b);
+            taker->take(taker->user, a, b);
+        }
+}
+
+static void sphere_shape(const shape_taker *taker, const double center[3], double radius)
+{
+    for (int axis = 0; axis < 3; axis++)
+        circle_shape(taker, center, (double[]){axis == 0, axis == 1, axis == 2}, radius, PIECES_OF_CIRCLE);
+}
+
+/* The square is a part of the distance at which the scene's own camera is, since a plane has no size. */
+static void plane_shape(const shape_taker *taker, const scene_camera *camera, const double point[3], const double normal[3])
+{
+    double way[3];
+    vector_subtract(camera->eye, point, way);
+    circle_shape(taker, point, normal, 0.2 * vector_length(way), 4);
+}
+
+static void opaque_outline(const shape_taker *taker, const scene_camera *camera, const opaque_shape *opaque)
+{
+    switch (opaque->kind) {
+    case OPAQUE_BOX:
+        box_shape(taker, opaque->shape.box.min, opaque->shape.box.max);
+        break;
+    case OPAQUE_PLANE:
+        plane_shape(taker, camera, opaque->shape.plane.point, opaque->shape.plane.normal);
+        break;
+    case OPAQUE_SPHERE:
+        sphere_shape(taker, opaque->shape.sphere.center, opaque->shape.sphere.radius);
+        break;
+    }
+}
+
+void part_shape(const demo_scene *scene, scene_part part, part_piece *take, void *user)
+{
+    const ew_sources_desc *sources = &scene->sources;
     const shape_taker taker = {take, user};
     switch (part.kind) {
-    case SOURCE_POINT:
+    case PART_POINT:
         take(user, sources->points[part.index].position, sources->points[part.index].position);
         break;
-    case SOURCE_LINE:
+    case PART_LINE:
         line_shape(&taker, &sources->lines[part.index]);
         break;
-    case SOURCE_TORUS:
-        torus_shape(&taker, &sources->tori[part.index]);
+    case PART_TORUS: {
+        const ew_torus *torus = &sources->tori[part.index];
+        circle_shape(&taker, torus->center, torus->axis, torus->radius, PIECES_OF_CIRCLE);
         break;
-    case SOURCE_CURVE:
+    }
+    case PART_CURVE:
         curve_shape(&taker, &sources->curves[part.index]);
         break;
-    case SOURCE_PATH:
+    case PART_PATH:
         path_shape(&taker, &sources->paths[part.index]);
+        break;
+    case PART_OPAQUE:
+        opaque_outline(&taker, &scene->camera, &scene->opaque[part.index]);
         break;
     }
 }
