@@ -11,7 +11,7 @@ vec3 ew_place_at(ew_curve_block curve, float tau)
 vec2 ew_chord_of_piece(ew_segment segment, ew_path_block path, int i, vec2 chord)
 {
 #ifdef EW_REACH
-    if (ew_has_reach(path.glow)) return ew_chord(segment, ew_bent_piece(path, i));
+    if (ew_has_reach(path.glow)) return clamp(ew_chord(segment, ew_bent_piece(path, i)), chord.x, chord.y);
 #endif
     return chord;
 }
