@@ -181,7 +181,7 @@ void ew_find_parts(ew_arc arc, ew_cell first_cell, ew_cell last_cell, vec2 chord
         last = ew_part_of_cell(arc, cell, chord.y);
         if (end == 0) first = last;
     }
-#ifdef EW_REACH
+#if defined(EW_REACH) || defined(EW_MEDIA)
     first = max(first, chord.xx);
     last = max(last, chord.xx);
 #endif
