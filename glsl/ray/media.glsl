@@ -4,10 +4,11 @@
 // A ray has at most so many legs.
 const int EW_MAX_LEGS = 2 * EW_MEDIUM_ROOM + 1;
 
-// The bodies that the ray meets, and where: s, ordered.
+// The bodies that the ray meets: where, by s; and their extinction, by s.
 int ew_met_count = 0;
 int ew_met_bodies[EW_MEDIUM_ROOM];
 vec2 ew_met_chords[EW_MEDIUM_ROOM];
+float ew_met_extinctions[EW_MEDIUM_ROOM];
 
 // The legs of the ray, from where its fog begins. x: the s where a leg begins, up to the next one's; y: the extinction of the bodies
 // there, by s; z: the optical depth up to there, of fog and bodies. The last one, behind all legs, says where the ray ends.
@@ -22,8 +23,9 @@ float ew_leg_share = 1.0;
 vec2 ew_first_height = vec2(0.0);
 #endif
 
-// Where the ray, from end to end of a line, is in a body: s of a ball's chord, or of the three slabs of a cube. Empty where it passes by.
-vec2 ew_chord_of_body(ew_segment segment, int i)
+// Where a line is in a body, from x to y, and z, how long that is, which the difference of x and y would not tell of a thin pane far away.
+// Of a ball it is a chord, of a cube what three slabs have in common. Empty, x >= y, where the line passes by.
+vec3 ew_chord_of_body(ew_segment segment, int i)
 {
     ew_medium_block body = ew_media[i];
     vec4 origin = vec4(segment.origin, 1.0);
@@ -36,12 +38,32 @@ vec2 ew_chord_of_body(ew_segment segment, int i)
         vec3 second = (1.0 - place) / slow;
         vec3 near = min(first, second);
         vec3 far = max(first, second);
-        return vec2(max(max(near.x, near.y), near.z), min(min(far.x, far.y), far.z));
+        vec2 chord = vec2(max(max(near.x, near.y), near.z), min(min(far.x, far.y), far.z));
+        vec3 width = 2.0 / abs(slow);
+        float way = chord.y - chord.x;
+        for (int slab = 0; slab < 3; ++slab)
+            way = mix(way, width[slab], near[slab] == chord.x && far[slab] == chord.y);
+        return vec3(chord, way);
     }
     float k = max(ew_length_squared(step), 1e-30);
     float middle = -dot(place, step) / k;
     float half_chord = sqrt(max(1.0 - ew_length_squared(place + middle * step), 0.0) / k);
-    return vec2(middle - half_chord, middle + half_chord);
+    return vec3(middle - half_chord, middle + half_chord, 2.0 * half_chord);
+}
+
+// Takes a body into the list of those that the ray meets between `begin` and its end, if it does. `speed`: the length of an s.
+void ew_meet_body(ew_segment segment, float begin, float speed, int i)
+{
+    vec3 whole = ew_chord_of_body(segment, i);
+    // The thinnest pane that s can tell is that thin.
+    float far = max(whole.y, whole.x + 2e-7 * abs(whole.x));
+    vec2 chord = clamp(vec2(whole.x, far), begin, segment.end);
+    if (whole.x <= whole.y && whole.z > 0.0 && chord.x < chord.y) {
+        ew_met_bodies[ew_met_count] = i;
+        ew_met_chords[ew_met_count] = chord;
+        ew_met_extinctions[ew_met_count] = speed * ew_media[i].light.w * (whole.z / (far - whole.x));
+        ew_met_count += 1;
+    }
 }
 
 // What dims the light from s on, up to where that changes.
@@ -65,14 +87,8 @@ void ew_enter_media(ew_segment segment)
     ew_first_height = vec2(ew_fog_begin, ew_fog_height);
 #endif
     ew_met_count = 0;
-    for (int i = 0; i < EW_MEDIUM_ROOM && i < ew_fog.bodies.x; ++i) {
-        vec2 chord = clamp(ew_chord_of_body(segment, i), s, segment.end);
-        if (chord.x < chord.y) {
-            ew_met_bodies[ew_met_count] = i;
-            ew_met_chords[ew_met_count] = chord;
-            ew_met_count += 1;
-        }
-    }
+    for (int i = 0; i < EW_MEDIUM_ROOM && i < ew_fog.bodies.x; ++i)
+        ew_meet_body(segment, s, speed, i);
     ew_leg_count = 0;
     do {
         float next = segment.end;
@@ -80,10 +96,12 @@ void ew_enter_media(ew_segment segment)
         for (int i = 0; i < ew_met_count; ++i) {
             vec2 chord = ew_met_chords[i];
             next = mix(next, min(next, mix(chord.y, chord.x, chord.x > s)), chord.y > s);
-            extinction += mix(0.0, ew_media[ew_met_bodies[i]].light.w, chord.x <= s && s < chord.y);
+            extinction += mix(0.0, ew_met_extinctions[i], chord.x <= s && s < chord.y);
         }
-        ew_legs[ew_leg_count] = vec3(s, speed * extinction, depth);
-        ew_enter_air(s, speed * extinction);
+        // In a body, too, the light of what is hidden does not count.
+        next = min(next, s + (EW_FOG_DEPTH - depth) / max(extinction, 1e-30));
+        ew_legs[ew_leg_count] = vec3(s, extinction, depth);
+        ew_enter_air(s, extinction);
         ew_leg_share = ew_transmittance_of(vec4(depth)).x;
         depth += max(ew_optical_depth(vec4(next)).x, 0.0);
         ew_leg_count += 1;

@@ -32,7 +32,6 @@ float ew_integrate_transmittance(float from, float to)
 // rgb: the light of the media along a segment, a: the share of what is behind it that they stop.
 vec4 ew_integrate_media(ew_segment segment)
 {
-    float speed = length(segment.direction);
     ew_enter_fog(segment);
     ew_enter_media(segment);
     vec3 light = vec3(0.0);
@@ -42,8 +41,8 @@ vec4 ew_integrate_media(ew_segment segment)
         float to = ew_legs[leg + 1].x;
         vec3 source = vec3(0.0);
         for (int i = 0; i < ew_met_count; ++i) {
-            vec4 body = ew_media[ew_met_bodies[i]].light;
-            source += mix(0.0, speed * body.w, ew_met_chords[i].x <= from && from < ew_met_chords[i].y) * body.rgb;
+            float extinction = mix(0.0, ew_met_extinctions[i], ew_met_chords[i].x <= from && from < ew_met_chords[i].y);
+            source += extinction * ew_media[ew_met_bodies[i]].light.rgb;
         }
         ew_enter_air(from, ew_legs[leg].y);
         light += source * ew_transmittance_of(vec4(ew_legs[leg].z)).x * ew_integrate_transmittance(from, to);
