@@ -81,6 +81,9 @@ vec4 ew_integrate_all(ew_segment segment)
     EW_ADD_KINDS
 #ifdef EW_MEDIA
     ew_fog_begin = ew_legs[0].x;
+#ifdef EW_FIELD
+    if (ew_is_near_edge(segment)) sum.a = EW_UNRESOLVED;
+#endif
 #endif
     return sum;
 }

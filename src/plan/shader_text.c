@@ -235,6 +235,7 @@ static void add_light(ew_shader_text *text, ew_key key, const ew_integrator_text
     }
     for (int i = 0; integrator->before[i]; ++i)
         add_file(text, integrator->before[i]);
+    if (key & EW_PERMUTATION_MEDIA && has_grid) add_file(text, ew_glsl_media_edge_glsl);
     add_kinds(text, key, integrator);
     add_file(text, ew_glsl_light_glsl);
 }
