@@ -79,7 +79,9 @@ ew_bounds ew_find_media_bounds(const ew_medium *media, size_t count, const ew_vi
     for (size_t i = 0; i < count; ++i)
         for (int face = 0; face < EW_MEDIUM_FACES; ++face) {
             const ew_hull hull = ew_face_of_medium(&media[i], face), seen = ew_see_hull(&hull, view);
-            if (ew_find_silhouette(&seen, 0, view, &depths, &one)) unite(&all, &one);
+            /* A face that is seen from straight ahead would have no depths. */
+            const double thickness = 1e-9 * sqrt(ew_dot(media[i].half_axes[face / 2], media[i].half_axes[face / 2]));
+            if (ew_find_silhouette(&seen, thickness, view, &depths, &one)) unite(&all, &one);
         }
     return to_bounds(&all, viewport);
 }

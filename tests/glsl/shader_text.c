@@ -81,10 +81,15 @@ static ew_key with_kinds(ew_key key, unsigned kinds, size_t first)
 
 /* ---- Shaders of the library ---- */
 
-static const char *const pass_names[EW_PASS_COUNT] = {[EW_PASS_WAVE] = "",        [EW_PASS_SURFACES] = "surfaces-",
-                                                      [EW_PASS_NODES] = "nodes-", [EW_PASS_FIELD] = "field-",
-                                                      [EW_PASS_PEAK] = "peak-",   [EW_PASS_CLASSES] = "classes-",
-                                                      [EW_PASS_CELLS] = "cells-", [EW_PASS_INTERPOLATION] = "interpolation-"};
+static const char *const pass_names[EW_PASS_COUNT] = {[EW_PASS_WAVE] = "",
+                                                      [EW_PASS_SURFACES] = "surfaces-",
+                                                      [EW_PASS_MEDIA] = "media-",
+                                                      [EW_PASS_NODES] = "nodes-",
+                                                      [EW_PASS_FIELD] = "field-",
+                                                      [EW_PASS_PEAK] = "peak-",
+                                                      [EW_PASS_CLASSES] = "classes-",
+                                                      [EW_PASS_CELLS] = "cells-",
+                                                      [EW_PASS_INTERPOLATION] = "interpolation-"};
 
 static void write_pass(const shader_profile *profile, ew_pass pass, ew_key key)
 {
@@ -207,11 +212,13 @@ static void write_passes(const shader_profile *profile)
             }
 }
 
-/* The kinds one by one and all at once, with and without all that they may have, in both kinds of fog. */
+/* The kinds one by one and all at once, with and without all that they may have, in both kinds of fog and among media. */
 static void write_fogs(const shader_profile *profile)
 {
-    static const unsigned fogs[] = {EW_PERMUTATION_FOG, EW_PERMUTATION_FOG | EW_PERMUTATION_FOG_HEIGHT};
-    for (int fog = 0; fog < 2; ++fog)
+    static const unsigned fogs[] = {EW_PERMUTATION_FOG, EW_PERMUTATION_FOG | EW_PERMUTATION_FOG_HEIGHT,
+                                    EW_PERMUTATION_FOG | EW_PERMUTATION_MEDIA,
+                                    EW_PERMUTATION_FOG | EW_PERMUTATION_FOG_HEIGHT | EW_PERMUTATION_MEDIA};
+    for (int fog = 0; fog < 4; ++fog)
         for (int field = 0; field < FIELD_COUNT; ++field) {
             ew_key plain = fogs[fog] | fields[field];
             ew_key general = plain | EW_PERMUTATION_WEIGHTS | EW_PERMUTATION_JOINTS | EW_PERMUTATION_CORE_PIXELS;
@@ -225,6 +232,19 @@ static void write_fogs(const shader_profile *profile)
             write_grid_passes(profile, with_lists);
             write_permutation(profile, with_kinds(general | EW_PERMUTATION_SIMPSON, all_kinds, 1));
         }
+}
+
+/* The media themselves, in both kinds of fog. */
+static void write_media(const shader_profile *profile)
+{
+    static const unsigned extras[] = {0, EW_PERMUTATION_DITHER, EW_PERMUTATION_DEPTH,
+                                      EW_PERMUTATION_DEPTH | EW_PERMUTATION_DEPTH_MULTISAMPLE | EW_PERMUTATION_DITHER |
+                                          EW_PERMUTATION_DITHER_SRGB};
+    const unsigned key = EW_PERMUTATION_WORLD | EW_PERMUTATION_FOG | EW_PERMUTATION_MEDIA;
+    for (size_t i = 0; i < sizeof extras / sizeof extras[0]; ++i) {
+        write_pass(profile, EW_PASS_MEDIA, key | extras[i]);
+        write_pass(profile, EW_PASS_MEDIA, key | EW_PERMUTATION_FOG_HEIGHT | extras[i]);
+    }
 }
 
 /* ---- The text for hosts ---- */
@@ -249,6 +269,7 @@ static void write_include(const shader_profile *profile, ew_key key)
         key & EW_PERMUTATION_IRRADIANCE
             ? "color.rgb += ew_irradiance(vec3(0.0), vec3(1.0)) + ew_specular(vec3(0.0), vec3(1.0), vec3(1.0), 0.5);\n"
             : "",
+        key & EW_PERMUTATION_MEDIA ? "color += ew_media_light(vec3(0.0), vec3(1.0), 1.0);\n" : "",
         "}\n"};
     write_strings(profile->name, "include-", key, "frag", strings, sizeof strings / sizeof strings[0]);
     free(joined);
@@ -271,6 +292,9 @@ static void write_includes(const shader_profile *profile)
                 write_include(profile, with_kinds(flags | extras | lit, all_kinds, EW_ANY_COUNT));
             const unsigned fog = EW_PERMUTATION_FOG | EW_PERMUTATION_FOG_HEIGHT;
             write_include(profile, with_kinds(flags | extras | fog, all_kinds, EW_ANY_COUNT));
+            write_include(profile,
+                          with_kinds(flags | extras | EW_PERMUTATION_FOG | EW_PERMUTATION_MEDIA, all_kinds, EW_ANY_COUNT));
+            write_include(profile, with_kinds(flags | extras | fog | EW_PERMUTATION_MEDIA, all_kinds, EW_ANY_COUNT));
         }
 }
 
@@ -295,6 +319,7 @@ int main(int argc, char **argv)
         write_passes(&profiles[i]);
         write_surfaces(&profiles[i]);
         write_fogs(&profiles[i]);
+        write_media(&profiles[i]);
         if (profiles[i].include_version) write_includes(&profiles[i]);
     }
     return EXIT_SUCCESS;

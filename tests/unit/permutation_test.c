@@ -114,6 +114,28 @@ static void fog_counts_only_where_there_is_some(void **state)
     assert_false(ew_permutation_covers(even, by_height) || ew_permutation_covers(by_height, even));
 }
 
+static void media_are_seen_in_pictures_and_dim_all_that_is_measured(void **state)
+{
+    (void)state;
+    static const ew_output outputs[] = {EW_OUTPUT_LERP, EW_OUTPUT_LUMINANCE, EW_OUTPUT_EVALUATIONS};
+    const ew_mix point = {.point_count = 1};
+    const ew_medium medium = {.extinction = 0};
+    ew_frame_desc frame = defaults;
+    frame.media = &medium;
+    for (int i = 0; i < 3; ++i) {
+        frame.output = outputs[i];
+        frame.medium_count = 1;
+        const ew_key media = EW_PERMUTATION_FOG | EW_PERMUTATION_MEDIA;
+        assert_true((ew_permutation_of(&point, &frame) & media) == media);
+        frame.medium_count = 0;
+        assert_false(ew_permutation_of(&point, &frame) & media);
+    }
+    frame.output = EW_OUTPUT_SURFACES;
+    frame.light_reach = 1;
+    frame.medium_count = 1;
+    assert_false(ew_permutation_of(&point, &frame) & EW_PERMUTATION_MEDIA);
+}
+
 static void bends_count_only_where_there_are_paths(void **state)
 {
     (void)state;
@@ -148,6 +170,7 @@ int main(void)
         cmocka_unit_test(with_reaches_the_same_shader_draws_any_count),
         cmocka_unit_test(the_world_integral_has_reaches_and_cores_as_wide_as_pixels),
         cmocka_unit_test(fog_counts_only_where_there_is_some),
+        cmocka_unit_test(media_are_seen_in_pictures_and_dim_all_that_is_measured),
         cmocka_unit_test(bends_count_only_where_there_are_paths),
         cmocka_unit_test(shaders_with_and_without_reaches_do_not_cover_each_other),
     };
