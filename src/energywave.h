@@ -83,7 +83,7 @@ extern "C" {
 
 /* The memory that sources take is counted in units of 16 bytes. A point takes 2 units, a line or a torus 3, a curve 6. A curve
  * with n weights takes n - 2 units more, and at least one more. Where a source has a reach or a core of its own, each takes one
- * more. All sources of an effect together take at most EW_MAX_SOURCE_UNITS. A uniform block holds about 1000 units everywhere,
+ * more. All sources of an effect together take at most EW_MAX_SOURCE_UNITS. A uniform block holds about 930 units everywhere,
  * and 4000 on most contexts; ew_draw takes more than that from a texture. */
 #define EW_MAX_SOURCE_UNITS 65536
 /* The largest count of each kind, in an effect that has no other kind. */
@@ -713,6 +713,13 @@ EW_API ew_result ew_prepare_step(ew_effect *effect, const ew_mix *mix, const ew_
  * with p = 2 / roughness^4 - 2, at least 1, which matches the peak of GGX without its long tails and its stretch at grazing
  * angles. Outside of cores it is off by 3 % of all light at most, on bent sources at a low roughness.
  *
+ * With media in the frame there is also
+ *
+ *     vec4 ew_media_light(vec3 origin, vec3 direction, float opaque);
+ *
+ * what the media do to what is opaque at x = opaque, from x = 0 on: rgb is their own light, to be added to the opaque colour
+ * times a, the share that they let through. The light of the sources comes over that.
+ *
  * All names in the text start with ew_ or EW_. In OpenGL ES, floats and ints are highp from there on. The text has no samplers,
  * reads no built-in variables, and has one uniform block, `ew_uniforms`:
  *
@@ -723,8 +730,8 @@ EW_API ew_result ew_prepare_step(ew_effect *effect, const ew_mix *mix, const ew_
  * mix:        the sources that the shader can draw; NULL means the effect's current ones. The sources in the buffer must match
  *             it: exactly as many of a kind where the mix has an exact count, no weights where has_weights is 0, and has_reach
  *             as they need it, because the block's layout depends on it.
- * frame:      which integral the text computes, and by which integrator; core_pixels, if they are 0. All else comes from the
- *             buffer.
+ * frame:      which integral the text computes, and by which integrator; core_pixels, if they are 0; whether there is fog, even or
+ *             by height, or a light_reach, or are media. All else comes from the buffer.
  * text:       receives a string that belongs to the effect and is valid until the next call of this function. Unchanged on
  *             failure.
  *
