@@ -37,9 +37,11 @@ float ew_others(vec4 sum, vec4 color)
 #endif
 #define EW_INTEGRAL(source, part) EW_SPEED ew_integrate(segment, source, part, ew_others(sum, source.color))
 #ifdef EW_MEDIA
-// Leg by leg of the ray: see media.glsl.
-#define EW_ADD_LEG(source) vec2 part = ew_enter_next_leg(chord, leg); if (part.x < part.y) light += ew_leg_share * EW_INTEGRAL(source, part);
-#define EW_ADD_SOURCE(source) float light = 0.0; int leg = 0; do { EW_ADD_LEG(source) } while (leg < ew_leg_count); ew_add(light, source.color, source.glow, sum)
+// Leg by leg of the ray: see media.glsl. The next one is looked for before the loop ends, so that a software rasteriser, which computes
+// what it need not, does not go through it for nothing.
+#define EW_ADD_LEG(source) vec2 part = ew_enter_leg(chord, leg); light += ew_leg_share * EW_INTEGRAL(source, part); leg = ew_next_leg(chord, leg + 1);
+#define EW_ADD_LEGS(source) int leg = ew_next_leg(chord, 0); do { EW_ADD_LEG(source) } while (leg < ew_leg_count);
+#define EW_ADD_SOURCE(source) float light = 0.0; EW_ADD_LEGS(source) ew_add(light, source.color, source.glow, sum)
 #else
 #define EW_ADD_SOURCE(source) ew_add(EW_INTEGRAL(source, chord), source.color, source.glow, sum)
 #endif
@@ -75,6 +77,7 @@ vec4 ew_integrate_all(ew_segment segment)
 #endif
 #ifdef EW_MEDIA
     ew_enter_media(segment);
+    segment.end = max(ew_legs[ew_leg_count].x, 0.0);
 #endif
     vec2 whole = vec2(0.0, segment.end);
     vec2 chord = whole;

@@ -11,9 +11,9 @@ vec2 ew_met_chords[EW_MEDIUM_ROOM];
 float ew_met_extinctions[EW_MEDIUM_ROOM];
 
 // The legs of the ray, from where its fog begins. x: the s where a leg begins, up to the next one's; y: the extinction of the bodies
-// there, by s; z: the optical depth up to there, of fog and bodies. The last one, behind all legs, says where the ray ends.
+// there, by s; z: the optical depth up to there, of fog and bodies. The first one behind all legs says where the ray ends.
 int ew_leg_count = 0;
-vec3 ew_legs[EW_MAX_LEGS + 1];
+vec3 ew_legs[EW_MAX_LEGS + 2];
 
 // The share of the light at the begin of the leg that was entered which reaches the begin of the first one.
 float ew_leg_share = 1.0;
@@ -108,23 +108,24 @@ void ew_enter_media(ew_segment segment)
         s = next;
     } while (s < segment.end && depth < EW_FOG_DEPTH && ew_leg_count < EW_MAX_LEGS);
     ew_legs[ew_leg_count] = vec3(s, 0.0, depth);
+    ew_legs[ew_leg_count + 1] = ew_legs[ew_leg_count];
 }
 
-// Goes on from `leg` to the next leg of the ray that has a part of `chord`, enters it, and returns that part; `leg` is then the one
-// behind it. Returns an empty part if there is none, behind the last leg.
-vec2 ew_enter_next_leg(vec2 chord, inout int leg)
+// The first leg from `leg` on that has a part of `chord`; their count if there is none.
+int ew_next_leg(vec2 chord, int leg)
 {
-    vec2 part;
     bool is_empty;
     do {
-        part = vec2(max(chord.x, ew_legs[leg].x), min(chord.y, ew_legs[leg + 1].x));
-        is_empty = part.x >= part.y;
+        is_empty = max(chord.x, ew_legs[leg].x) >= min(chord.y, ew_legs[leg + 1].x);
         leg += is_empty ? 1 : 0;
     } while (is_empty && leg < ew_leg_count);
-    if (!is_empty) {
-        ew_enter_air(ew_legs[leg].x, ew_legs[leg].y);
-        ew_leg_share = ew_transmittance_of(vec4(ew_legs[leg].z)).x;
-        leg += 1;
-    }
-    return part;
+    return leg;
+}
+
+// Enters a leg, and returns the part of `chord` that is on it.
+vec2 ew_enter_leg(vec2 chord, int leg)
+{
+    ew_enter_air(ew_legs[leg].x, ew_legs[leg].y);
+    ew_leg_share = ew_transmittance_of(vec4(ew_legs[leg].z)).x;
+    return vec2(max(chord.x, ew_legs[leg].x), min(chord.y, ew_legs[leg + 1].x));
 }

@@ -21,7 +21,7 @@ typedef struct ew_integrator_text {
 } ew_integrator_text;
 
 /* The most strings that a shader consists of, and the most characters that are made rather than embedded. */
-enum { EW_SHADER_MAX_STRINGS = 96, EW_SHADER_MAX_MADE = 8192 };
+enum { EW_SHADER_MAX_STRINGS = 128, EW_SHADER_MAX_MADE = 8192 };
 
 /* A shader's text: `count` strings, one after the other. Not to be moved: some strings lie in `made`. */
 typedef struct ew_shader_text {

@@ -21,6 +21,10 @@ static void write_strings(const char *profile, const char *role, ew_key key, con
                           int count)
 {
     char path[4096];
+    if (count > EW_SHADER_MAX_STRINGS) {
+        fprintf(stderr, "%s%09llx takes %d strings\n", role, (unsigned long long)key, count);
+        exit(EXIT_FAILURE);
+    }
     snprintf(path, sizeof path, "%s/%s-%s%09llx.%s", folder, profile, role, (unsigned long long)key, stage);
     FILE *file = fopen(path, "w");
     for (int i = 0; file && i < count; ++i)
