@@ -143,7 +143,7 @@ The first two are of the same scene without \`light\`, and without \`shadow_thic
 end_row
 
 text << 'TEXT'
-## In fog
+## In fog and behind glass
 
 Light pales on its way to the eye, inside the integral. What fog does to the stone is the host's business, and is left out here.
 TEXT
@@ -159,6 +159,19 @@ for fog in '"extinction": 0.03' '"extinction": 0.25, "height": { "scale": 1.2 }'
     commands="$commands    \"fog\": { $fog }
 "
 done
+end_row
+
+text << 'TEXT'
+The scene of the light on surfaces, in fog, and among bodies that dim it and what is behind them: tinted glass, a force field, smoke.
+TEXT
+row 'in fog' 'behind glass'
+sed 's/"composite": "soft"/"composite": "soft", "fog": { "extinction": 0.18 }/' demo/scenes/lit-beam.json > "$scratch/lit-beam-fog.json"
+echo lit-beam-fog
+"$programs"/ew-render "$scratch/lit-beam-fog.json" --size 480x321 -o $pictures/lit-beam-fog.png > /dev/null
+cells="$cells ![lit-beam-fog](gallery/lit-beam-fog.png) |"
+commands="    \"fog\": { \"extinction\": 0.18 }
+"
+picture behind-glass ew-render demo/scenes/behind-glass.json --size 480x321
 end_row
 
 text << 'TEXT'

@@ -69,11 +69,16 @@ static const ew_frame_desc *settle(const ew_effect *effect, const ew_frame_desc 
     return settled;
 }
 
+/* The plans of a frame, in the order in which they are drawn. */
+typedef struct frame_plans {
+    ew_plan media, light;
+    const ew_plan *all[EW_MAX_PLANS];
+    int count;
+} frame_plans;
+
 /* Plans the drawing of the effect's sources, with the shader for `mix` or, with NULL, for them. */
-static ew_result plan_frame(ew_effect *effect, const ew_mix *mix, const ew_frame_desc *frame, ew_plan *plan, ew_error *error)
+static ew_result plan_light(ew_effect *effect, const ew_mix *mix, const ew_frame_desc *frame, ew_plan *plan, ew_error *error)
 {
-    ew_frame_desc settled;
-    frame = settle(effect, frame, &settled);
     ew_result result = ew_plan_frame(plan, &effect->sources, mix, frame, error);
     if (result != EW_OK) return result;
     const ew_dialect dialect = ew_gl_dialect(&effect->device.gl);
@@ -82,12 +87,27 @@ static ew_result plan_frame(ew_effect *effect, const ew_mix *mix, const ew_frame
     return ew_plan_lists(plan, &effect->lists, &effect->sources, frame, room, &effect->allocator, error);
 }
 
+static ew_result plan_frame(ew_effect *effect, const ew_mix *mix, const ew_frame_desc *frame, frame_plans *plans,
+                            ew_error *error)
+{
+    ew_frame_desc settled;
+    bool draws_media = false;
+    frame = settle(effect, frame, &settled);
+    ew_result result = plan_light(effect, mix, frame, &plans->light, error);
+    if (result == EW_OK) result = ew_plan_media(&plans->media, frame, &draws_media, error);
+    plans->count = 0;
+    if (draws_media) plans->all[plans->count++] = &plans->media;
+    plans->all[plans->count++] = &plans->light;
+    return result;
+}
+
 ew_result ew_draw(ew_effect *effect, const ew_frame_desc *frame, ew_error *error)
 {
     if (!effect) return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "effect must not be NULL");
-    ew_plan plan;
-    ew_result result = plan_frame(effect, NULL, frame, &plan, error);
-    return result == EW_OK ? ew_execute(&effect->device, &plan, &effect->allocator, error) : result;
+    frame_plans plans;
+    ew_result result = plan_frame(effect, NULL, frame, &plans, error);
+    if (result != EW_OK) return result;
+    return ew_execute(&effect->device, plans.all, plans.count, &effect->allocator, error);
 }
 
 ew_result ew_get_bounds(ew_effect *effect, const ew_frame_desc *frame, ew_bounds *bounds, ew_error *error)
@@ -111,10 +131,10 @@ ew_result ew_prepare_step(ew_effect *effect, const ew_mix *mix, const ew_frame_d
 {
     if (!steps_left) return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "steps_left must not be NULL");
     if (!effect) return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "effect must not be NULL");
-    ew_plan plan;
-    ew_result result = plan_frame(effect, mix, frame, &plan, error);
+    frame_plans plans;
+    ew_result result = plan_frame(effect, mix, frame, &plans, error);
     if (result != EW_OK) return result;
-    return ew_execute_ahead(&effect->device, &plan, &effect->allocator, steps_left, error);
+    return ew_execute_ahead(&effect->device, plans.all, plans.count, &effect->allocator, steps_left, error);
 }
 
 ew_result ew_get_shader_text(ew_effect *effect, const ew_mix *mix, const ew_frame_desc *frame, const char **text,
@@ -131,7 +151,7 @@ ew_result ew_get_shader_text(ew_effect *effect, const ew_mix *mix, const ew_fram
     integral.output = EW_OUTPUT_LERP;
     integral.dither = 0;
     ew_shader_text parts;
-    unsigned key = ew_permutation_of(mix ? mix : &current, &integral);
+    ew_key key = ew_permutation_of(mix ? mix : &current, &integral);
     if (frame->light_reach > 0) key |= EW_PERMUTATION_IRRADIANCE;
     ew_write_include(&parts, &dialect, key);
     size_t length = ew_join_shader_text(&parts, NULL);

@@ -83,7 +83,7 @@ extern "C" {
 
 /* The memory that sources take is counted in units of 16 bytes. A point takes 2 units, a line or a torus 3, a curve 6. A curve
  * with n weights takes n - 2 units more, and at least one more. Where a source has a reach or a core of its own, each takes one
- * more. All sources of an effect together take at most EW_MAX_SOURCE_UNITS. A uniform block holds about 1000 units everywhere,
+ * more. All sources of an effect together take at most EW_MAX_SOURCE_UNITS. A uniform block holds about 930 units everywhere,
  * and 4000 on most contexts; ew_draw takes more than that from a texture. */
 #define EW_MAX_SOURCE_UNITS 65536
 /* The largest count of each kind, in an effect that has no other kind. */
@@ -440,6 +440,33 @@ typedef struct ew_fog {
     double scale;      /* in world units: how far up the extinction falls to 1 / e; 0: it is the same everywhere */
 } ew_fog;
 
+/* What a medium fills, of the places center + x half_axes[0] + y half_axes[1] + z half_axes[2]. */
+typedef enum ew_medium_shape {
+    EW_MEDIUM_BOX,       /* |x|, |y| and |z| at most 1 */
+    EW_MEDIUM_ELLIPSOID, /* x^2 + y^2 + z^2 at most 1; with three axes of one length, at right angles, a sphere */
+} ew_medium_shape;
+
+/* A body of a homogeneous medium: smoke, the inside of a force field, tinted glass. With the extinction tau, the albedo a and
+ * the ambient light L^a, a piece of a ray of length l in it
+ *
+ *     lets exp(-tau l) of what is behind it through, be that light of the sources or the opaque scene, and
+ *     shines with a L^a (1 - exp(-tau l)):
+ *
+ * equations (3) to (5) of Zsolnai and Szirmay-Kalos, "Order Independent Transparency with Per-Pixel Linked Lists". Where bodies
+ * overlap, their extinctions add up, and so do the products tau a L^a. Fog dims a body's own light, too; but what the host has
+ * made of fog before the body is dimmed as part of the opaque scene. */
+typedef struct ew_medium {
+    ew_medium_shape shape;
+    double center[3];
+    double half_axes[3][3]; /* need not be at right angles, but must span a space */
+    double extinction;      /* per world unit, in [0, 1e12] */
+    double albedo;          /* what part of the light that it stops it scatters, in [0, 1] */
+    double ambient[3];      /* the light that comes from all around: linear RGB, each component in [0, 65504] */
+} ew_medium;
+
+/* How many media a frame may have. */
+#define EW_MAX_MEDIA 16
+
 /* One frame. Start from EW_FRAME_DEFAULTS and set the camera and the target. The defaults suit a window of 8 bits a channel: a
  * composite that does not clip, with dither. For a float target set `encoding`, and an output that keeps what is above 1. */
 typedef struct ew_frame_desc {
@@ -475,6 +502,13 @@ typedef struct ew_frame_desc {
      * tells the front alone; what passes deeper behind that is lit. */
     double shadow_thickness;
     ew_fog fog;
+    /* Bodies that dim the light, at most EW_MAX_MEDIA; NULL with a count of 0. The outputs that are pictures, LERP, ADD and
+     * SOFT, draw the bodies first, over the target: Cb becomes T Cb + L, where T is what they let through and L their own
+     * light, times the exposure. With LERP the target's alpha A becomes T A + 1 - T. So of several effects in one scene, one
+     * alone may draw a picture with the bodies that are seen. EW_OUTPUT_SURFACES knows of no media. Each call reads the array
+     * and does not keep it. */
+    const ew_medium *media;
+    size_t medium_count;
 
     ew_integrator integrator;
     ew_quality quality;
@@ -546,6 +580,7 @@ typedef struct ew_frame_desc {
             1,                                                     /* exposure */                                              \
             1, 0, 0,                                               /* light_gain, light_reach, shadow_thickness */             \
             {0, {0, 1, 0}, 0, 0},                                  /* fog: extinction, up, base, scale */                      \
+            0, 0,                                                  /* media, medium_count */                                   \
             EW_INTEGRATOR_ADAPTIVE, EW_QUALITY_ERROR_1E_3, 200,    /* integrator, quality, simpson_divisions */                \
             EW_RESOLUTION_ADAPTIVE,                                /* resolution */                                            \
             EW_OUTPUT_SOFT,                                        /* output */                                                \
@@ -677,6 +712,13 @@ EW_API ew_result ew_prepare_step(ew_effect *effect, const ew_mix *mix, const ew_
  * with p = 2 / roughness^4 - 2, at least 1, which matches the peak of GGX without its long tails and its stretch at grazing
  * angles. Outside of cores it is off by 3 % of all light at most, on bent sources at a low roughness.
  *
+ * With media in the frame there is also
+ *
+ *     vec4 ew_media_light(vec3 origin, vec3 direction, float opaque);
+ *
+ * what the media do to what is opaque at x = opaque, from x = 0 on: rgb is their own light, to be added to the opaque colour
+ * times a, the share that they let through. The light of the sources comes over that.
+ *
  * All names in the text start with ew_ or EW_. In OpenGL ES, floats and ints are highp from there on. The text has no samplers,
  * reads no built-in variables, and has one uniform block, `ew_uniforms`:
  *
@@ -687,8 +729,8 @@ EW_API ew_result ew_prepare_step(ew_effect *effect, const ew_mix *mix, const ew_
  * mix:        the sources that the shader can draw; NULL means the effect's current ones. The sources in the buffer must match
  *             it: exactly as many of a kind where the mix has an exact count, no weights where has_weights is 0, and has_reach
  *             as they need it, because the block's layout depends on it.
- * frame:      which integral the text computes, and by which integrator; core_pixels, if they are 0. All else comes from the
- *             buffer.
+ * frame:      which integral the text computes, and by which integrator; core_pixels, if they are 0; whether there is fog, even or
+ *             by height, or a light_reach, or are media. All else comes from the buffer.
  * text:       receives a string that belongs to the effect and is valid until the next call of this function. Unchanged on
  *             failure.
  *

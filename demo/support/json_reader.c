@@ -141,6 +141,15 @@ void reader_number_member(json_reader *r, const json_value *object, const char *
     if (number.json) reader_number(r, &number, range, result);
 }
 
+void reader_factor_member(json_reader *r, const json_value *object, const char *key, json_presence presence, double most,
+                          double *result)
+{
+    json_value number = reader_member(r, object, key, presence);
+    if (!number.json) return;
+    reader_number(r, &number, NOT_NEGATIVE, result);
+    if (*result > most) reader_fail(r, &number.at, "must be from 0 to %g, but is %g", most, *result);
+}
+
 void reader_vector_member(json_reader *r, const json_value *object, const char *key, json_presence presence, json_range range,
                           double result[3])
 {

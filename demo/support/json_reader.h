@@ -66,6 +66,9 @@ void reader_number_member(json_reader *r, const json_value *object, const char *
                           double *result);
 void reader_vector_member(json_reader *r, const json_value *object, const char *key, json_presence presence, json_range range,
                           double result[3]);
+/* A number from 0 to `most`. */
+void reader_factor_member(json_reader *r, const json_value *object, const char *key, json_presence presence, double most,
+                          double *result);
 /* A required vector that is not zero. */
 void reader_direction_member(json_reader *r, const json_value *object, const char *key, double result[3]);
 /* Three required vectors. */

@@ -51,6 +51,8 @@ ew_frame_desc render_frame(const demo_scene *scene, const render_settings *setti
     frame.light_reach = scene->light_reach;
     frame.shadow_thickness = scene->shadow_thickness;
     frame.fog = scene->fog;
+    frame.media = scene->media;
+    frame.medium_count = scene->medium_count;
     frame.integrator = settings->integrator;
     frame.quality = settings->quality;
     frame.simpson_divisions = settings->simpson_divisions;

@@ -56,6 +56,8 @@ typedef struct demo_scene {
     double light_reach;      /* 0: the sources do not light these */
     double shadow_thickness; /* of them; 0: they cast no shadows */
     ew_fog fog;
+    ew_medium *media;
+    size_t medium_count;
     double background[3];
     double color[3];     /* the default of sources; those that name no other have it already */
     ew_output composite; /* EW_OUTPUT_LERP, EW_OUTPUT_ADD or EW_OUTPUT_SOFT */

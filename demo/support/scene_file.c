@@ -2,6 +2,7 @@
 #include "scene_file.h"
 #include "json_reader.h"
 #include "message.h"
+#include "scene_shapes.h"
 #include "scene_sources.h"
 #include "vector.h"
 
@@ -11,54 +12,6 @@
 #include <string.h>
 
 enum { MAX_FILE_BYTES = 64 << 20 };
-
-/* ---- Opaque shapes ------------------------------------------------------------------------------------------------------ */
-
-static void read_box(json_reader *r, const json_value *value, opaque_shape *result)
-{
-    static const char *const keys[] = {"shape", "name", "min", "max", "color", NULL};
-    double *min = result->shape.box.min, *max = result->shape.box.max;
-    reader_check_keys(r, value, keys);
-    reader_vector_member(r, value, "min", REQUIRED, ANY, min);
-    reader_vector_member(r, value, "max", REQUIRED, ANY, max);
-    json_place at = {&value->at, "max", 0};
-    if (r->ok && !(min[0] < max[0] && min[1] < max[1] && min[2] < max[2]))
-        reader_fail(r, &at, "must be larger than min in each of its 3 numbers");
-}
-
-static void read_plane(json_reader *r, const json_value *value, opaque_shape *result)
-{
-    static const char *const keys[] = {"shape", "name", "point", "normal", "color", NULL};
-    reader_check_keys(r, value, keys);
-    reader_vector_member(r, value, "point", REQUIRED, ANY, result->shape.plane.point);
-    reader_direction_member(r, value, "normal", result->shape.plane.normal);
-}
-
-static void read_sphere(json_reader *r, const json_value *value, opaque_shape *result)
-{
-    static const char *const keys[] = {"shape", "name", "center", "radius", "color", NULL};
-    reader_check_keys(r, value, keys);
-    reader_vector_member(r, value, "center", REQUIRED, ANY, result->shape.sphere.center);
-    reader_number_member(r, value, "radius", REQUIRED, POSITIVE, &result->shape.sphere.radius);
-}
-
-static void read_opaque(json_reader *r, const json_value *value, void *result)
-{
-    static void (*const readers[])(json_reader *, const json_value *, opaque_shape *) = {
-        [OPAQUE_BOX] = read_box, [OPAQUE_PLANE] = read_plane, [OPAQUE_SPHERE] = read_sphere};
-    static const char *const kinds[] = {[OPAQUE_BOX] = "box", [OPAQUE_PLANE] = "plane", [OPAQUE_SPHERE] = "sphere", NULL};
-    opaque_shape *shape = result;
-    if (!reader_check_object(r, value)) return;
-    shape->kind = (opaque_kind)reader_word_member(r, value, "shape", REQUIRED, kinds);
-    if (!r->ok) return;
-    readers[shape->kind](r, value, shape);
-    reader_text_member(r, value, "name");
-    for (int i = 0; i < 3; i++)
-        shape->color[i] = 0.8;
-    reader_vector_member(r, value, "color", OPTIONAL, NOT_NEGATIVE, shape->color);
-}
-
-/* ---- The rest of the scene ---------------------------------------------------------------------------------------------- */
 
 static void check_camera(json_reader *r, const json_value *object, const scene_camera *camera)
 {
@@ -147,8 +100,9 @@ static void read_version_and_comment(json_reader *r, const json_value *root)
 
 static void check_root_keys(json_reader *r, const json_value *root)
 {
-    static const char *const fixed[] = {"version",  "comment",    "camera", "interval",  "decay",  "epsilon", "core_pixels",
-                                        "exposure", "background", "color",  "composite", "opaque", "light",   "fog"};
+    static const char *const fixed[] = {"version",   "comment",     "camera",   "interval",   "decay",
+                                        "epsilon",   "core_pixels", "exposure", "background", "color",
+                                        "composite", "opaque",      "light",    "fog",        "media"};
     enum { FIXED_COUNT = sizeof fixed / sizeof *fixed };
     const char *keys[FIXED_COUNT + SCENE_SOURCE_KIND_COUNT + 1] = {NULL};
     for (int i = 0; i < FIXED_COUNT; i++)
@@ -156,15 +110,6 @@ static void check_root_keys(json_reader *r, const json_value *root)
     for (int i = 0; i < SCENE_SOURCE_KIND_COUNT; i++)
         keys[FIXED_COUNT + i] = scene_source_kinds[i].key;
     reader_check_keys(r, root, keys);
-}
-
-/* An optional number from 0 to `most`. */
-static void read_factor(json_reader *r, const json_value *root, const char *key, double most, double *result)
-{
-    json_value number = reader_member(r, root, key, OPTIONAL);
-    if (!number.json) return;
-    reader_number(r, &number, NOT_NEGATIVE, result);
-    if (*result > most) reader_fail(r, &number.at, "must be from 0 to %g, but is %g", most, *result);
 }
 
 /* How the sources light the opaque shapes; without it, they do not. */
@@ -175,9 +120,9 @@ static void read_light(json_reader *r, const json_value *root, demo_scene *scene
     json_value object = reader_member(r, root, "light", OPTIONAL);
     if (!object.json) return;
     reader_check_keys(r, &object, keys);
-    read_factor(r, &object, "gain", 1e6, &scene->light_gain);
+    reader_factor_member(r, &object, "gain", OPTIONAL, 1e6, &scene->light_gain);
     reader_number_member(r, &object, "reach", REQUIRED, POSITIVE, &scene->light_reach);
-    read_factor(r, &object, "shadow_thickness", 1e18, &scene->shadow_thickness);
+    reader_factor_member(r, &object, "shadow_thickness", OPTIONAL, 1e18, &scene->shadow_thickness);
 }
 
 /* Without a height, the fog is the same everywhere. */
@@ -189,9 +134,7 @@ static void read_fog(json_reader *r, const json_value *root, ew_fog *fog)
     json_value object = reader_member(r, root, "fog", OPTIONAL);
     if (!object.json) return;
     reader_check_keys(r, &object, keys);
-    reader_number_member(r, &object, "extinction", REQUIRED, NOT_NEGATIVE, &fog->extinction);
-    json_place extinction_place = {&object.at, "extinction", 0};
-    if (fog->extinction > 1e12) reader_fail(r, &extinction_place, "must be from 0 to 1e12, but is %g", fog->extinction);
+    reader_factor_member(r, &object, "extinction", REQUIRED, 1e12, &fog->extinction);
     json_value height = reader_member(r, &object, "height", OPTIONAL);
     if (!height.json) return;
     reader_check_keys(r, &height, height_keys);
@@ -206,9 +149,9 @@ static void read_look(json_reader *r, const json_value *root, demo_scene *scene)
     static const ew_output composites[] = {EW_OUTPUT_LERP, EW_OUTPUT_ADD, EW_OUTPUT_SOFT};
     scene->composite = composites[reader_word_member(r, root, "composite", OPTIONAL, names)];
     scene->core_pixels = scene_is_world(scene) ? 1.5 : 0;
-    read_factor(r, root, "core_pixels", 64, &scene->core_pixels);
+    reader_factor_member(r, root, "core_pixels", OPTIONAL, 64, &scene->core_pixels);
     scene->exposure = 1;
-    read_factor(r, root, "exposure", 1e6, &scene->exposure);
+    reader_factor_member(r, root, "exposure", OPTIONAL, 1e6, &scene->exposure);
     read_light(r, root, scene);
     read_fog(r, root, &scene->fog);
     reader_vector_member(r, root, "background", OPTIONAL, NOT_NEGATIVE, scene->background);
@@ -224,8 +167,8 @@ static void read_scene(json_reader *r, const json_value *root, demo_scene *scene
     read_interval(r, root, scene);
     read_decay(r, root, scene);
     read_look(r, root, scene);
-    scene->opaque =
-        reader_list_member(r, root, "opaque", MAX_OPAQUE_SHAPES, sizeof(opaque_shape), read_opaque, &scene->opaque_count);
+    scene_read_opaque(r, root, scene);
+    scene_read_media(r, root, scene);
 
     scene->sources.epsilon = 1e-3;
     reader_number_member(r, root, "epsilon", OPTIONAL, POSITIVE, &scene->sources.epsilon);

@@ -1,6 +1,7 @@
 /* A scene as text: see scene_write.h. */
 #include "scene_write.h"
 #include "source_light.h"
+#include "vector.h"
 
 #include <jansson.h>
 
@@ -209,6 +210,59 @@ static json_t *fog_of(json_writer *w, const ew_fog *fog)
     return object;
 }
 
+/* Whether half axes are those of the world, and of one length. */
+static bool is_block(const ew_medium *medium)
+{
+    for (int i = 0; i < 9; i++)
+        if (i % 4 != 0 && medium->half_axes[i / 3][i % 3] != 0) return false;
+    return true;
+}
+
+static bool is_sphere(const ew_medium *medium)
+{
+    double radius = medium->half_axes[0][0];
+    return is_block(medium) && medium->half_axes[1][1] == radius && medium->half_axes[2][2] == radius;
+}
+
+/* A scene's boxes have the axes of the world: a file knows no others. */
+static void put_body(json_writer *w, json_t *object, const ew_medium *medium)
+{
+    double radii[3], min[3], max[3];
+    json_t *axes = json_array();
+    for (int i = 0; i < 3; i++) {
+        double unit[3];
+        radii[i] = vector_length(medium->half_axes[i]);
+        min[i] = medium->center[i] - radii[i];
+        max[i] = medium->center[i] + radii[i];
+        vector_normalize(medium->half_axes[i], unit);
+        append(w, axes, numbers(w, unit, 3));
+    }
+    if (medium->shape == EW_MEDIUM_BOX) {
+        put(w, object, "min", numbers(w, min, 3));
+        put(w, object, "max", numbers(w, max, 3));
+    } else {
+        put(w, object, "center", numbers(w, medium->center, 3));
+        if (is_sphere(medium))
+            put(w, object, "radius", json_real(radii[0]));
+        else
+            put(w, object, "radii", numbers(w, radii, 3));
+        if (!is_block(medium)) put(w, object, "axes", json_incref(axes));
+    }
+    json_decref(axes);
+}
+
+static json_t *medium_of(json_writer *w, const ew_medium *medium)
+{
+    const char *shape = medium->shape == EW_MEDIUM_BOX ? "box" : is_sphere(medium) ? "sphere" : "ellipsoid";
+    json_t *object = json_object();
+    put(w, object, "shape", json_string(shape));
+    put_body(w, object, medium);
+    put(w, object, "extinction", json_real(medium->extinction));
+    put(w, object, "albedo", json_real(medium->albedo));
+    put(w, object, "ambient", numbers(w, medium->ambient, 3));
+    return object;
+}
+
 static void put_look(json_writer *w, json_t *root, const demo_scene *scene)
 {
     static const struct {
@@ -229,7 +283,7 @@ static void put_look(json_writer *w, json_t *root, const demo_scene *scene)
 char *scene_write(const demo_scene *scene)
 {
     json_writer writer = {true}, *w = &writer;
-    json_t *root = json_object(), *opaque = json_array();
+    json_t *root = json_object(), *opaque = json_array(), *media = json_array();
     put(w, root, "version", json_integer(1));
     put(w, root, "camera", camera_of(w, &scene->camera));
     if (!scene_is_world(scene)) {
@@ -241,6 +295,9 @@ char *scene_write(const demo_scene *scene)
     for (size_t i = 0; i < scene->opaque_count; i++)
         append(w, opaque, opaque_of(w, &scene->opaque[i]));
     put(w, root, "opaque", opaque);
+    for (size_t i = 0; i < scene->medium_count; i++)
+        append(w, media, medium_of(w, &scene->media[i]));
+    put(w, root, "media", media);
     char *text = w->ok ? json_dumps(root, JSON_INDENT(1) | JSON_REAL_PRECISION(17)) : NULL;
     json_decref(root);
     return text;

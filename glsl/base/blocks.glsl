@@ -11,6 +11,7 @@ layout(std140) uniform ew_uniforms
     ivec4 ew_uniform_source_counts[EW_COUNT_VECTORS];
     ew_grid_block ew_grid;
     ew_fog_block ew_uniform_fog;
+    ew_medium_block ew_media[EW_MEDIUM_ROOM];
     vec4 ew_source_data[EW_SOURCE_DATA_SIZE];
 };
 

@@ -39,6 +39,16 @@ struct ew_grid_block {
 struct ew_fog_block {
     vec4 density; // x: the extinction; at height 0, if it changes with height; y: s where the fog of the frame's rays begins
     vec4 height;  // of a place p: dot(height, vec4(p, 1)), in scales from the base up
+    ivec4 bodies; // x: how many bodies of media there are, y: how many of these are boxes, which come first
+};
+
+// A body of a medium. A place p of ray space is at dot(row, vec4(p, 1)) in the body's own space, where it is the cube from -1 to 1 or
+// the unit ball.
+struct ew_medium_block {
+    vec4 row_x;
+    vec4 row_y;
+    vec4 row_z;
+    vec4 light; // xyz: its light, albedo times ambient, w: its extinction
 };
 
 // Adaptive resolution divides the viewport into square cells of EW_CELL_SIZE pixels, and these stand in blocks of EW_BLOCK_CELLS by
@@ -53,6 +63,9 @@ struct ew_fog_block {
 // a power of two. The first tile begins where the first node is. A texture of sources is EW_TEXTURE_WIDTH wide.
 #define EW_TILE_SIZE_LOG2 5
 #define EW_TEXTURE_WIDTH 1024
+
+// How many bodies of media there may be.
+#define EW_MEDIUM_ROOM 16
 
 // How many kinds of sources there are, and how many ivec4 their counts take.
 #define EW_KIND_COUNT 5

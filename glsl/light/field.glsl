@@ -19,5 +19,8 @@ float ew_field_of(ew_segment segment, EW_SOURCE source)
     }
 #endif
     float field = ew_sample_at(source, segment.origin + segment.end * segment.direction, segment.end);
+#ifdef EW_MEDIA
+    field *= ew_leg_share;
+#endif
     return abs(field) * source.color.w * max(source.glow.z, 1.0);
 }

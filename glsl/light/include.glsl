@@ -29,6 +29,16 @@ vec3 ew_specular(vec3 position, vec3 normal, vec3 to_eye, float roughness)
 }
 #endif
 
+#ifdef EW_MEDIA
+// What the media do to what is opaque at x = `opaque`: their own light, and the share of its light that they let through.
+vec4 ew_media_light(vec3 origin, vec3 direction, float opaque)
+{
+    ew_fog_begin = 0.0;
+    vec4 over = ew_integrate_media(ew_segment(ew_to_ray_space(origin, 1.0), ew_to_ray_space(direction, 0.0), clamp(opaque, 0.0, 1e15)));
+    return vec4(over.rgb, 1.0 - over.a);
+}
+#endif
+
 #ifdef EW_WORLD
 // The light of the ray from `origin` on, sum B_i color_i, and B as the fourth component. Cores are as wide as pixels by the view depth
 // along the ray, which is taken not to fall.
@@ -37,6 +47,9 @@ vec4 ew_light(vec3 origin, vec3 direction, float opaque)
     vec3 start = ew_to_ray_space(origin, 1.0);
     vec3 step = ew_to_ray_space(direction, 0.0);
     ew_view_depth = vec2(ew_frame.core_floor.y - start.z, max(-step.z, 1e-6));
+#ifdef EW_FOG
+    ew_fog_begin = 0.0;
+#endif
     return ew_integrate_all(ew_segment(start, step, clamp(opaque, 0.0, 1e15)));
 }
 

@@ -35,8 +35,16 @@ float ew_others(vec4 sum, vec4 color)
 #else
 #define EW_SPEED
 #endif
-#define EW_INTEGRAL(source) EW_SPEED ew_integrate(segment, source, chord, ew_others(sum, source.color))
-#define EW_ADD_SOURCE(source) ew_add(EW_INTEGRAL(source), source.color, source.glow, sum)
+#define EW_INTEGRAL(source, part) EW_SPEED ew_integrate(segment, source, part, ew_others(sum, source.color))
+#ifdef EW_MEDIA
+// Leg by leg of the ray: see media.glsl. The next one is looked for before the loop ends, so that a software rasteriser, which computes
+// what it need not, does not go through it for nothing.
+#define EW_ADD_LEG(source) vec2 part = ew_enter_leg(chord, leg); light += ew_leg_share * EW_INTEGRAL(source, part); leg = ew_next_leg(chord, leg + 1);
+#define EW_ADD_LEGS(source) int leg = ew_next_leg(chord, 0); do { EW_ADD_LEG(source) } while (leg < ew_leg_count);
+#define EW_ADD_SOURCE(source) float light = 0.0; EW_ADD_LEGS(source) ew_add(light, source.color, source.glow, sum)
+#else
+#define EW_ADD_SOURCE(source) ew_add(EW_INTEGRAL(source, chord), source.color, source.glow, sum)
+#endif
 #ifdef EW_FIELD
 #define EW_ADD(block, read) block source = read(EW_PLACE(i)); sum.a += ew_field_of(segment, source); ++i;
 #define EW_ADD_ALL(block, read) if (i < end) { do { EW_ADD(block, read) } while (i < end); }
@@ -65,9 +73,20 @@ vec4 ew_integrate_all(ew_segment segment)
     vec4 sum = vec4(0.0);
 #ifdef EW_FOG
     ew_enter_fog(segment);
+    segment.end = ew_end_in_fog(segment.end);
+#endif
+#ifdef EW_MEDIA
+    ew_enter_media(segment);
+    segment.end = max(ew_legs[ew_leg_count].x, 0.0);
 #endif
     vec2 whole = vec2(0.0, segment.end);
     vec2 chord = whole;
     EW_ADD_KINDS
+#ifdef EW_MEDIA
+    ew_fog_begin = ew_legs[0].x;
+#ifdef EW_FIELD
+    if (ew_is_near_edge(segment)) sum.a = EW_UNRESOLVED;
+#endif
+#endif
     return sum;
 }

@@ -8,8 +8,15 @@ const float EW_THIN_FOG = 2e-4;
 // The s at which the ray's fog begins.
 float ew_fog_begin = 0.0;
 
-// The extinction along the ray, by s. By height it is exp(-(height + rise (s - begin))), which is `extinction` where the fog begins.
+// The extinction of the fog along the ray, by s. By height it is exp(-(height + rise (s - begin))), which is `extinction` where the fog
+// begins.
 float ew_fog_extinction = 0.0;
+// That of bodies of media comes on top: see media.glsl.
+#ifdef EW_MEDIA
+float ew_body_extinction = 0.0;
+#else
+const float ew_body_extinction = 0.0;
+#endif
 #ifdef EW_FOG_HEIGHT
 float ew_fog_height = 0.0;
 float ew_fog_rise = 0.0;
@@ -18,18 +25,18 @@ float ew_fog_thinness = 0.0;
 #endif
 
 #ifdef EW_FOG_HEIGHT
-// Where fog is thinner than e^-80 or thicker than e^69, it may as well be as thin or as thick as that.
-vec4 ew_extinction(vec4 s)
+// That of the fog. Where it is thinner than e^-80 or thicker than e^69, it may as well be as thin or as thick as that.
+vec4 ew_fog_extinction_at(vec4 s)
 {
     return exp(-clamp(ew_fog_height + ew_fog_rise * (s - ew_fog_begin), -69.0, 80.0));
 }
 
-float ew_extinction(float s)
+float ew_fog_extinction_at(float s)
 {
-    return ew_extinction(vec4(s)).x;
+    return ew_fog_extinction_at(vec4(s)).x;
 }
 
-// The optical depth from where the fog begins up to s, where the extinction is `at_s`: the integral of an exponential. Where that
+// The optical depth from where the fog begins up to s, where its extinction is `at_s`: the integral of an exponential. Where that
 // hardly changes it would be a small difference; there it is the way, times the larger extinction, times the mean of its decay
 // from there. Relative error 1e-6 where the fog is neither thinner nor thicker than above.
 vec4 ew_optical_depth_of(vec4 s, vec4 at_s)
@@ -39,12 +46,12 @@ vec4 ew_optical_depth_of(vec4 s, vec4 at_s)
     vec4 most = max(at_s, ew_fog_extinction);
     vec4 mean = most * (1.0 - x * (0.5 - x * (0.16666667 - x * (0.041666667 - x * 0.0083333333))));
     vec4 difference = (most - min(at_s, ew_fog_extinction)) / max(x, 0.05);
-    return way * mix(difference, mean, lessThan(x, vec4(0.1)));
+    return way * (mix(difference, mean, lessThan(x, vec4(0.1))) + ew_body_extinction);
 }
 
 vec4 ew_optical_depth(vec4 s)
 {
-    return ew_optical_depth_of(s, ew_extinction(s));
+    return ew_optical_depth_of(s, ew_fog_extinction_at(s));
 }
 
 float ew_height_in_fog(float s)
@@ -52,7 +59,7 @@ float ew_height_in_fog(float s)
     return ew_fog_height + ew_fog_rise * (s - ew_fog_begin);
 }
 
-// The way from the fog's begin on that takes `depth` of optical depth: with the growth g of the extinction e along it,
+// The way from the fog's begin on in which the fog takes `depth` of optical depth: with the growth g of the extinction e along it,
 // log(1 + g depth / e) / g; without end if there is less. e may be too small for a float.
 float ew_way_through_fog(float depth)
 {
@@ -69,7 +76,8 @@ float ew_way_through_thin_fog(float s, float along)
 {
     float growth = -along * ew_fog_rise;
     float room = ew_fog_thinness + ew_height_in_fog(s);
-    return mix(max(room, 0.0) / growth, mix(0.0, 1e30, room >= 0.0), growth <= 0.0);
+    float way = mix(max(room, 0.0) / growth, mix(0.0, 1e30, room >= 0.0), growth <= 0.0);
+    return min(way, EW_THIN_FOG / max(ew_body_extinction, 1e-30));
 }
 
 // How long a panel from s on may be, along the ray or against it, for the transmittance to be a polynomial but for EW_FOG_PANEL's
@@ -78,13 +86,13 @@ float ew_way_through_thin_fog(float s, float along)
 float ew_longest_in_fog(float s, float along, float depth)
 {
     float growth = -along * ew_fog_rise;
-    float way = 2.0 * depth / (2.0 * ew_extinction(s) + max(growth, 0.0) * depth);
+    float way = 2.0 * depth / (2.0 * (ew_fog_extinction_at(s) + ew_body_extinction) + max(growth, 0.0) * depth);
     return max(min(way, 2.0 / max(abs(growth), 1e-30)), ew_way_through_thin_fog(s, along));
 }
 #else
 vec4 ew_optical_depth(vec4 s)
 {
-    return ew_fog_extinction * (s - ew_fog_begin);
+    return (ew_fog_extinction + ew_body_extinction) * (s - ew_fog_begin);
 }
 
 float ew_way_through_fog(float depth)
@@ -94,12 +102,12 @@ float ew_way_through_fog(float depth)
 
 float ew_way_through_thin_fog(float s, float along)
 {
-    return EW_THIN_FOG / ew_fog_extinction;
+    return EW_THIN_FOG / (ew_fog_extinction + ew_body_extinction);
 }
 
 float ew_longest_in_fog(float s, float along, float depth)
 {
-    return depth / ew_fog_extinction;
+    return depth / (ew_fog_extinction + ew_body_extinction);
 }
 #endif
 
@@ -124,14 +132,14 @@ float ew_transmittance(float s)
     return ew_transmittance(vec4(s)).x;
 }
 
-// Of a place in the midst of a panel: x: the optical depth there, y: the extinction.
+// Of a place in the midst of a panel: x: the optical depth there, y: the fog's extinction.
 vec2 ew_fog_at(float s)
 {
 #ifdef EW_FOG_HEIGHT
-    float extinction = ew_extinction(s);
+    float extinction = ew_fog_extinction_at(s);
     return vec2(ew_optical_depth_of(vec4(s), vec4(extinction)).x, extinction);
 #else
-    return vec2(ew_fog_extinction * (s - ew_fog_begin), ew_fog_extinction);
+    return vec2(ew_optical_depth(vec4(s)).x, ew_fog_extinction);
 #endif
 }
 
@@ -144,20 +152,25 @@ vec3 ew_transmittance_in_panel(vec2 fog, vec3 y)
     vec3 x = clamp(-ew_fog_rise * y, -1.0, 1.0);
     depth *= 1.0 + x * (0.5 + x * (0.16666667 + x * (0.041666667 + x * (0.0083333333 + x * (0.0013888889 + x * 0.00019841270)))));
 #endif
-    return exp2(-1.44269504 * clamp(fog.x + depth, 0.0, 100.0));
+    return exp2(-1.44269504 * clamp(fog.x + depth + ew_body_extinction * y, 0.0, 100.0));
 }
 
-// Prepares for a ray, and ends it where the fog hides all.
-void ew_enter_fog(inout ew_segment segment)
+// Prepares for a ray.
+void ew_enter_fog(ew_segment segment)
 {
     float density = clamp(ew_fog.density.x * length(segment.direction), 1e-30, 1e30);
 #ifdef EW_FOG_HEIGHT
     ew_fog_rise = dot(ew_fog.height.xyz, segment.direction);
     ew_fog_height = dot(ew_fog.height.xyz, segment.origin) + ew_fog.height.w + ew_fog_begin * ew_fog_rise - log(density);
-    ew_fog_extinction = ew_extinction(ew_fog_begin);
+    ew_fog_extinction = ew_fog_extinction_at(ew_fog_begin);
     ew_fog_thinness = log(EW_THIN_FOG * max(abs(ew_fog_rise), 1e-30));
 #else
     ew_fog_extinction = density;
 #endif
-    segment.end = min(segment.end, max(ew_fog_begin + ew_way_through_fog(EW_FOG_DEPTH), 0.0));
+}
+
+// The s at which a ray ends that would end at `end`, because the fog hides all behind it.
+float ew_end_in_fog(float end)
+{
+    return min(end, max(ew_fog_begin + ew_way_through_fog(EW_FOG_DEPTH), 0.0));
 }

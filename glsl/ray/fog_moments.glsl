@@ -21,9 +21,9 @@ const float EW_FOG_VERY_FAR = 1000.0;
 float ew_longest_cubic(float s, vec4 glow)
 {
 #ifdef EW_FOG_HEIGHT
-    float way = ew_cubic_length() / (ew_extinction(s) + abs(ew_fog_rise));
+    float way = ew_cubic_length() / (ew_fog_extinction_at(s) + ew_body_extinction + abs(ew_fog_rise));
 #else
-    float way = ew_cubic_length() / ew_fog_extinction;
+    float way = ew_cubic_length() / (ew_fog_extinction + ew_body_extinction);
 #endif
 #ifdef EW_CORE_PIXELS
     float widening = ew_view_depth.x / ew_view_depth.y + s + sqrt(ew_core_radius2(glow) / max(ew_core_growth2(), 1e-30));
@@ -38,15 +38,19 @@ float ew_longest_cubic(float s, vec4 glow)
 vec4 ew_transmittance_cubic(float middle, float radius)
 {
     vec2 fog = ew_fog_at(middle);
-    float e = fog.y * radius;
+    float e = (fog.y + ew_body_extinction) * radius;
 #ifdef EW_FOG_HEIGHT
     float rise = ew_fog_rise * radius;
     e = mix(e, 0.0, abs(rise) > 1.5);
+    // Of the extinction e, that of the fog, f, changes: f' = -rise f.
+    float f = mix(fog.y * radius, 0.0, abs(rise) > 1.5);
     rise = mix(rise, 0.0, abs(rise) > 1.5);
-    float second = e * (rise + e);
-    float third = -e * (rise * rise + e * (3.0 * rise + e));
-    float fourth = e * (rise * rise * rise + e * (7.0 * rise * rise + e * (6.0 * rise + e)));
-    float fifth = -e * (e * (e * (e * (e + 10.0 * rise) + 25.0 * rise * rise) + 15.0 * rise * rise * rise) + ew_square(rise * rise));
+    float bend = rise * f;
+    float second = bend + e * e;
+    float third = -(rise * bend + e * (3.0 * bend + e * e));
+    float fourth = bend * (rise * rise + 3.0 * bend) + e * (4.0 * rise * bend + e * (6.0 * bend + e * e));
+    float fifth = -(rise * bend * (rise * rise + 10.0 * bend) + e * (bend * (5.0 * rise * rise + 15.0 * bend) +
+                                                                     e * (10.0 * rise * bend + e * (10.0 * bend + e * e))));
 #else
     float second = e * e;
     float third = -e * second;

@@ -187,7 +187,7 @@ void ew_find_parts(const ew_arc arc, const ew_cell first_cell, const ew_cell las
         last = ew_part_of_cell(arc, cell, chord.y);
         if (end == 0) first = last;
     }
-#ifdef EW_REACH
+#if defined(EW_REACH) || defined(EW_MEDIA)
     first = max(first, chord.xx);
     last = max(last, chord.xx);
 #endif

@@ -11,7 +11,7 @@ vec3 ew_place_at(const ew_curve_block curve, const float tau)
 vec2 ew_chord_of_piece(const ew_segment segment, const ew_path_block path, const int i, vec2 chord)
 {
 #ifdef EW_REACH
-    if (ew_has_reach(path.glow)) chord = ew_chord(segment, ew_bent_piece(path, i));
+    if (ew_has_reach(path.glow)) chord = clamp(ew_chord(segment, ew_bent_piece(path, i)), chord.x, chord.y);
 #endif
     return chord;
 }

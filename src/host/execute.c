@@ -92,15 +92,9 @@ static void draw_quad(void *user)
     drawing->gl->DrawArrays(GL_TRIANGLE_STRIP, drawing->is_ahead ? EW_QUAD_VERTICES : 0, EW_QUAD_VERTICES);
 }
 
-/* The pass that draws a plan without a grid. */
-static ew_pass whole_pass(const ew_plan *plan)
-{
-    return plan->light_reach > 0 ? EW_PASS_SURFACES : EW_PASS_WAVE;
-}
-
 static void draw_every_pixel(ew_drawing *drawing)
 {
-    const GLuint program = drawing->programs.names[whole_pass(drawing->plan)];
+    const GLuint program = drawing->programs.names[drawing->plan->pass];
     drawing->gl->UseProgram(program);
     ew_gl_set_viewport(drawing->gl, &drawing->plan->lit);
     if (drawing->depth->samples > 0)
@@ -132,6 +126,7 @@ static ew_gl_draw_state draw_state(const ew_target *target)
         GLenum source_rgb, destination_rgb, source_alpha, destination_alpha;
     } factors[] = {[EW_BLEND_REPLACE] = {GL_ONE, GL_ONE, GL_ZERO, GL_ONE},
                    [EW_BLEND_OVER] = {GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA},
+                   [EW_BLEND_DIM] = {GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE},
                    [EW_BLEND_ADD] = {GL_ONE, GL_ONE, GL_ZERO, GL_ONE},
                    [EW_BLEND_SOFT] = {GL_ONE, GL_ONE_MINUS_SRC_COLOR, GL_ZERO, GL_ONE},
                    [EW_BLEND_LIGHT] = {GL_DST_COLOR, GL_ONE, GL_ZERO, GL_ONE}};
@@ -182,38 +177,48 @@ static ew_result bind_normals(const ew_device *device, const ew_plan *plan, ew_e
     return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "normal_texture %u is no GL_TEXTURE_2D", plan->normal_texture);
 }
 
-/* What is done with a plan within the guard: ew_execute's part, or ew_execute_ahead's. */
+/* What is done with plans within the guard: ew_execute's part, or ew_execute_ahead's. */
 typedef struct plan_task {
-    const ew_plan *plan;
+    const ew_plan *const *plans;
+    int plan_count;
     const ew_allocator *allocator;
     int *steps_left; /* NULL: draw; else prepare */
 } plan_task;
 
+/* A plan, with what the context makes of it. */
+typedef struct prepared_plan {
+    ew_drawing drawing;
+    ew_key key;
+    ew_depth_kind depth;
+    bool on_grid;
+} prepared_plan;
+
 /* Finds the program of a pass; where plans are prepared, takes a step towards it. */
-static ew_result find_program(ew_device *device, const plan_task *task, ew_pass pass, unsigned key, GLuint *name,
-                              int *steps_left, ew_error *error)
+static ew_result find_program(ew_device *device, const plan_task *task, ew_pass pass, ew_key key, GLuint *name, int *steps_left,
+                              ew_error *error)
 {
     ew_program_cache *cache = &device->programs[pass];
-    unsigned pass_key = ew_permutation_of_pass(pass, key);
+    ew_key pass_key = ew_permutation_of_pass(pass, key);
     *steps_left = 0;
     if (!task->steps_left) return ew_program_get(cache, &device->gl, task->allocator, pass_key, name, error);
     return ew_program_prepare(cache, &device->gl, task->allocator, pass_key, name, steps_left, error);
 }
 
-/* Finds the programs of all passes. Where plans are prepared, takes a step towards each of them if the driver compiles on its
- * own threads, and else towards the first that is not ready. */
-static ew_result find_programs(ew_device *device, const plan_task *task, bool on_grid, unsigned key, ew_pass_programs *programs,
-                               int *steps_left, ew_error *error)
+/* Finds the programs of all passes of a plan, and adds to `steps_left`. Where plans are prepared, takes a step towards each of
+ * them if the driver compiles on its own threads, and else towards the first of all that is not ready. */
+static ew_result find_programs(ew_device *device, const plan_task *task, prepared_plan *prepared, int *steps_left,
+                               ew_error *error)
 {
-    *steps_left = 0;
+    const ew_key key = prepared->key;
+    ew_drawing *drawing = &prepared->drawing;
     for (int pass = 0; pass < EW_PASS_COUNT; ++pass) {
-        if (on_grid ? !ew_pass_is_of_grid((ew_pass)pass) : (ew_pass)pass != whole_pass(task->plan)) continue;
+        if (prepared->on_grid ? !ew_pass_is_of_grid((ew_pass)pass) : (ew_pass)pass != drawing->plan->pass) continue;
         if (*steps_left > 0 && !device->gl.parallel_shader_compile) {
             *steps_left += ew_program_steps(&device->programs[pass], ew_permutation_of_pass((ew_pass)pass, key));
             continue;
         }
         int steps;
-        ew_result result = find_program(device, task, (ew_pass)pass, key, &programs->names[pass], &steps, error);
+        ew_result result = find_program(device, task, (ew_pass)pass, key, &drawing->programs.names[pass], &steps, error);
         if (result != EW_OK) return result;
         *steps_left += steps;
     }
@@ -221,67 +226,81 @@ static ew_result find_programs(ew_device *device, const plan_task *task, bool on
 }
 
 /* Draws with uniforms and depth bound. */
-static ew_result draw_bound(ew_device *device, const plan_task *task, bool on_grid, unsigned key, ew_drawing *drawing,
-                            ew_gl_state *state, ew_error *error)
+static ew_result draw_bound(ew_device *device, const plan_task *task, prepared_plan *prepared, ew_gl_state *state,
+                            ew_error *error)
 {
-    if (on_grid && draw_on_grid(&device->grid, drawing, state)) return EW_OK;
-    if (on_grid) {
+    ew_drawing *drawing = &prepared->drawing;
+    if (prepared->on_grid && draw_on_grid(&device->grid, drawing, state)) return EW_OK;
+    if (prepared->on_grid) {
         GLuint *name = &drawing->programs.names[EW_PASS_WAVE];
         int steps_left;
-        ew_result result = find_program(device, task, EW_PASS_WAVE, key, name, &steps_left, error);
+        ew_result result = find_program(device, task, EW_PASS_WAVE, prepared->key, name, &steps_left, error);
         if (result != EW_OK || steps_left > 0) return result;
     }
     draw_every_pixel(drawing);
     return EW_OK;
 }
 
-static ew_result draw(ew_device *device, const plan_task *task, bool on_grid, unsigned key, ew_depth_kind depth_kind,
-                      ew_drawing *drawing, ew_gl_state *state, ew_error *error)
+static ew_result draw(ew_device *device, const plan_task *task, prepared_plan *prepared, ew_gl_state *state, ew_error *error)
 {
     const ew_gl *gl = &device->gl;
+    const ew_plan *plan = prepared->drawing.plan;
     ew_depth_input depth;
-    ew_result result = bind_normals(device, task->plan, error);
-    if (result == EW_OK) result = ew_depth_input_bind(&device->depth_copy, gl, task->plan, depth_kind, &depth, error);
+    ew_result result = bind_normals(device, plan, error);
+    if (result == EW_OK) result = ew_depth_input_bind(&device->depth_copy, gl, plan, prepared->depth, &depth, error);
     if (result != EW_OK) return result;
     gl->BindSampler(EW_GL_DEPTH_TEXTURE_UNIT, device->depth_sampler);
-    fill_uniform_buffer(device, task->plan);
+    fill_uniform_buffer(device, plan);
     gl->BindBufferBase(GL_UNIFORM_BUFFER, EW_GL_UNIFORM_BINDING, device->uniform_buffer);
-    if (key & EW_PERMUTATION_LISTS && !(key & EW_PERMUTATION_SOURCE_TEXTURE)) {
-        fill_list_buffer(device, task->plan);
+    if (prepared->key & EW_PERMUTATION_LISTS && !(prepared->key & EW_PERMUTATION_SOURCE_TEXTURE)) {
+        fill_list_buffer(device, plan);
         gl->BindBufferBase(GL_UNIFORM_BUFFER, EW_GL_LIST_BINDING, device->list_buffer);
     }
-    if (key & EW_PERMUTATION_SOURCE_TEXTURE) ew_source_texture_bind(&device->source_texture, gl, task->plan);
+    if (prepared->key & EW_PERMUTATION_SOURCE_TEXTURE) ew_source_texture_bind(&device->source_texture, gl, plan);
     /* Vertex arrays are not shared between contexts, and one without attributes costs nothing to make. */
     GLuint vertex_array;
     gl->GenVertexArrays(1, &vertex_array);
     gl->BindVertexArray(vertex_array);
-    drawing->depth = &depth;
-    result = draw_bound(device, task, on_grid, key, drawing, state, error);
+    prepared->drawing.depth = &depth;
+    result = draw_bound(device, task, prepared, state, error);
     gl->DeleteVertexArrays(1, &vertex_array);
     gl->ActiveTexture(GL_TEXTURE0 + EW_GL_DEPTH_TEXTURE_UNIT);
     ew_depth_input_release(gl, &depth);
     return result;
 }
 
+static prepared_plan prepare(const ew_device *device, const plan_task *task, const ew_plan *plan)
+{
+    const ew_gl *gl = &device->gl;
+    prepared_plan prepared = {.drawing = {.gl = gl, .plan = plan, .is_ahead = task->steps_left != NULL},
+                              .depth = ew_depth_input_kind(gl, &plan->depth),
+                              .on_grid = plan->is_adaptive && gl->float_targets && !device->grid.is_refused};
+    prepared.key = ew_permutation_with_depth(plan->permutation, prepared.depth);
+    if (plan->source_units > ew_gl_dialect(gl).capacity) prepared.key |= EW_PERMUTATION_SOURCE_TEXTURE;
+    return prepared;
+}
+
+/* All that can fail comes before the first plan is drawn. */
 static ew_result draw_in_state(ew_device *device, const plan_task *task, ew_gl_state *state, ew_error *error)
 {
     const ew_gl *gl = &device->gl;
-    const ew_plan *plan = task->plan;
-    ew_gl_draw_state wanted = draw_state(&plan->target);
+    const ew_target *target = &task->plans[0]->target;
+    ew_gl_draw_state wanted = draw_state(target);
     ew_gl_set_draw_state(gl, state, &wanted);
     if (gl->CheckFramebufferStatus(GL_DRAW_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
-        return ew_fail(error, EW_ERROR_OPENGL, "framebuffer %u is not complete", plan->target.framebuffer);
-    ew_result result = ew_target_check(gl, &plan->target, error);
-    if (result != EW_OK) return result;
-
-    ew_depth_kind depth = ew_depth_input_kind(gl, &plan->depth);
-    unsigned key = ew_permutation_with_depth(plan->permutation, depth);
-    if (plan->source_units > ew_gl_dialect(gl).capacity) key |= EW_PERMUTATION_SOURCE_TEXTURE;
-    bool on_grid = plan->is_adaptive && gl->float_targets && !device->grid.is_refused;
+        return ew_fail(error, EW_ERROR_OPENGL, "framebuffer %u is not complete", target->framebuffer);
+    ew_result result = ew_target_check(gl, target, error);
     int steps_left = 0;
-    ew_drawing drawing = {.gl = gl, .plan = plan, .is_ahead = task->steps_left != NULL};
-    result = find_programs(device, task, on_grid, key, &drawing.programs, &steps_left, error);
-    if (result == EW_OK && steps_left == 0) result = draw(device, task, on_grid, key, depth, &drawing, state, error);
+    prepared_plan prepared[EW_MAX_PLANS];
+    for (int i = 0; i < task->plan_count && result == EW_OK; ++i) {
+        prepared[i] = prepare(device, task, task->plans[i]);
+        result = find_programs(device, task, &prepared[i], &steps_left, error);
+    }
+    for (int i = 0; i < task->plan_count && result == EW_OK && steps_left == 0; ++i) {
+        wanted = draw_state(&task->plans[i]->target);
+        ew_gl_set_blending(gl, &wanted);
+        result = draw(device, task, &prepared[i], state, error);
+    }
     if (result == EW_OK && task->steps_left) *task->steps_left = steps_left;
     return result;
 }
@@ -289,10 +308,11 @@ static ew_result draw_in_state(ew_device *device, const plan_task *task, ew_gl_s
 static ew_result execute(ew_device *device, const plan_task *task, ew_error *error)
 {
     const ew_gl *gl = &device->gl;
-    ew_result result = check_names(gl, task->plan, error);
+    const ew_plan *plan = task->plans[0];
+    ew_result result = check_names(gl, plan, error);
     if (result != EW_OK) return result;
     ew_gl_state state;
-    if (task->plan->skips_restore) {
+    if (plan->skips_restore) {
         ew_gl_assume_state(gl, &state);
         result = draw_in_state(device, task, &state, error);
         ew_gl_restore_objects(gl, &state);
@@ -305,13 +325,14 @@ static ew_result execute(ew_device *device, const plan_task *task, ew_error *err
     return result;
 }
 
-ew_result ew_execute(ew_device *device, const ew_plan *plan, const ew_allocator *allocator, ew_error *error)
+ew_result ew_execute(ew_device *device, const ew_plan *const *plans, int plan_count, const ew_allocator *allocator,
+                     ew_error *error)
 {
-    return execute(device, &(plan_task){plan, allocator, NULL}, error);
+    return execute(device, &(plan_task){plans, plan_count, allocator, NULL}, error);
 }
 
-ew_result ew_execute_ahead(ew_device *device, const ew_plan *plan, const ew_allocator *allocator, int *steps_left,
-                           ew_error *error)
+ew_result ew_execute_ahead(ew_device *device, const ew_plan *const *plans, int plan_count, const ew_allocator *allocator,
+                           int *steps_left, ew_error *error)
 {
-    return execute(device, &(plan_task){plan, allocator, steps_left}, error);
+    return execute(device, &(plan_task){plans, plan_count, allocator, steps_left}, error);
 }

@@ -29,13 +29,17 @@ void ew_device_destroy(ew_device *device);
 /* Frees the device's memory. Calls no GL. */
 void ew_device_abandon(ew_device *device, const ew_allocator *allocator);
 
-/* Draws the plan. Waits for a compiler if no program is ready that can. */
-ew_result ew_execute(ew_device *device, const ew_plan *plan, const ew_allocator *allocator, ew_error *error);
+/* A frame has so many plans at the most: its media, and its light. */
+enum { EW_MAX_PLANS = 2 };
 
-/* Takes one step towards a draw that does not wait, and says how many are left. Once the program is ready, the last step draws
- * the plan outside of the view: some drivers finish shaders only in a first draw. */
-ew_result ew_execute_ahead(ew_device *device, const ew_plan *plan, const ew_allocator *allocator, int *steps_left,
-                           ew_error *error);
+/* Draws plans for one target, one over the other. Waits for a compiler if no program is ready that can. */
+ew_result ew_execute(ew_device *device, const ew_plan *const *plans, int plan_count, const ew_allocator *allocator,
+                     ew_error *error);
+
+/* Takes one step towards a draw that does not wait, and says how many are left. Once the programs are ready, the last step
+ * draws the plans outside of the view: some drivers finish shaders only in a first draw. */
+ew_result ew_execute_ahead(ew_device *device, const ew_plan *const *plans, int plan_count, const ew_allocator *allocator,
+                           int *steps_left, ew_error *error);
 
 /* Fills the uniform buffer as the plan says, and leaves all bindings as they were. Refuses sources that the block is too small
  * for. */

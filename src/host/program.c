@@ -26,7 +26,7 @@ static GLuint compile(const ew_gl *gl, GLenum stage, const ew_shader_text *text)
     return shader;
 }
 
-static GLuint compile_vertex_shader(const ew_gl *gl, ew_pass pass, unsigned key)
+static GLuint compile_vertex_shader(const ew_gl *gl, ew_pass pass, ew_key key)
 {
     const ew_dialect dialect = ew_gl_dialect(gl);
     ew_shader_text text;
@@ -34,7 +34,7 @@ static GLuint compile_vertex_shader(const ew_gl *gl, ew_pass pass, unsigned key)
     return compile(gl, GL_VERTEX_SHADER, &text);
 }
 
-static GLuint compile_fragment_shader(const ew_gl *gl, ew_pass pass, unsigned key, const ew_integrator_text *integrator)
+static GLuint compile_fragment_shader(const ew_gl *gl, ew_pass pass, ew_key key, const ew_integrator_text *integrator)
 {
     const ew_dialect dialect = ew_gl_dialect(gl);
     ew_shader_text text;
@@ -67,8 +67,8 @@ static void assign_bindings(const ew_gl *gl, GLuint program)
     }
 }
 
-ew_result ew_program_start(const ew_gl *gl, ew_pass pass, unsigned key, const ew_integrator_text *integrator,
-                           ew_program *program, ew_error *error)
+ew_result ew_program_start(const ew_gl *gl, ew_pass pass, ew_key key, const ew_integrator_text *integrator, ew_program *program,
+                           ew_error *error)
 {
     ew_program made = {
         .name = gl->CreateProgram(),

@@ -19,8 +19,8 @@ typedef struct ew_program {
 
 /* Starts to make the program of a pass and `key`, with the library's own integrator (NULL) or another one: hands its shaders to
  * the compiler. */
-ew_result ew_program_start(const ew_gl *gl, ew_pass pass, unsigned key, const ew_integrator_text *integrator,
-                           ew_program *program, ew_error *error);
+ew_result ew_program_start(const ew_gl *gl, ew_pass pass, ew_key key, const ew_integrator_text *integrator, ew_program *program,
+                           ew_error *error);
 
 /* Hands the program to the linker, once. */
 void ew_program_link(const ew_gl *gl, ew_program *program);

@@ -5,14 +5,14 @@
 
 #include <string.h>
 
-static struct ew_cached_program *find(const ew_program_cache *cache, unsigned key)
+static struct ew_cached_program *find(const ew_program_cache *cache, ew_key key)
 {
     for (size_t i = 0; i < cache->count; ++i)
         if (cache->entries[i].key == key) return &cache->entries[i];
     return NULL;
 }
 
-static const struct ew_cached_program *find_ready(const ew_program_cache *cache, unsigned key)
+static const struct ew_cached_program *find_ready(const ew_program_cache *cache, ew_key key)
 {
     const struct ew_cached_program *general = NULL;
     for (size_t i = 0; i < cache->count; ++i) {
@@ -41,7 +41,7 @@ static ew_result grow(ew_program_cache *cache, const ew_allocator *allocator, ew
 }
 
 /* Finds the entry of `key`, or starts to compile its program and adds it. */
-static ew_result start(ew_program_cache *cache, const ew_gl *gl, const ew_allocator *allocator, unsigned key,
+static ew_result start(ew_program_cache *cache, const ew_gl *gl, const ew_allocator *allocator, ew_key key,
                        struct ew_cached_program **entry, ew_error *error)
 {
     *entry = find(cache, key);
@@ -69,14 +69,14 @@ static ew_result finish(ew_program_cache *cache, const ew_gl *gl, struct ew_cach
     return result;
 }
 
-int ew_program_steps(const ew_program_cache *cache, unsigned key)
+int ew_program_steps(const ew_program_cache *cache, ew_key key)
 {
     const struct ew_cached_program *entry = find(cache, key);
     return !entry ? 3 : !entry->program.is_linking ? 2 : !entry->program.is_ready ? 1 : 0;
 }
 
-ew_result ew_program_prepare(ew_program_cache *cache, const ew_gl *gl, const ew_allocator *allocator, unsigned key,
-                             GLuint *name, int *steps_left, ew_error *error)
+ew_result ew_program_prepare(ew_program_cache *cache, const ew_gl *gl, const ew_allocator *allocator, ew_key key, GLuint *name,
+                             int *steps_left, ew_error *error)
 {
     struct ew_cached_program *entry = find(cache, key);
     *name = 0;
@@ -91,7 +91,7 @@ ew_result ew_program_prepare(ew_program_cache *cache, const ew_gl *gl, const ew_
     return finish(cache, gl, entry, name, error);
 }
 
-ew_result ew_program_get(ew_program_cache *cache, const ew_gl *gl, const ew_allocator *allocator, unsigned key, GLuint *name,
+ew_result ew_program_get(ew_program_cache *cache, const ew_gl *gl, const ew_allocator *allocator, ew_key key, GLuint *name,
                          ew_error *error)
 {
     const struct ew_cached_program *ready = find_ready(cache, key);

@@ -8,7 +8,7 @@
 typedef struct ew_program_cache {
     ew_pass pass;
     struct ew_cached_program {
-        unsigned key;
+        ew_key key;
         ew_program program;
     } * entries;
     size_t count;
@@ -18,15 +18,15 @@ typedef struct ew_program_cache {
 /* Takes one step towards the program of `key`: hands its shaders to the compiler, or the program to the linker, or makes it
  * ready. `name` receives its name if it is ready, or else 0, and `steps_left` how many steps are left. Waits only if the driver
  * cannot say whether a program is ready. Changes the program in use. */
-ew_result ew_program_prepare(ew_program_cache *cache, const ew_gl *gl, const ew_allocator *allocator, unsigned key,
-                             GLuint *name, int *steps_left, ew_error *error);
+ew_result ew_program_prepare(ew_program_cache *cache, const ew_gl *gl, const ew_allocator *allocator, ew_key key, GLuint *name,
+                             int *steps_left, ew_error *error);
 
 /* How many steps it is to the program of `key`. */
-int ew_program_steps(const ew_program_cache *cache, unsigned key);
+int ew_program_steps(const ew_program_cache *cache, ew_key key);
 
 /* Finds a ready program for `key`, or a ready one that is more general, or else compiles that of `key` and waits for it. `name`
  * receives its name. Changes the program in use. */
-ew_result ew_program_get(ew_program_cache *cache, const ew_gl *gl, const ew_allocator *allocator, unsigned key, GLuint *name,
+ew_result ew_program_get(ew_program_cache *cache, const ew_gl *gl, const ew_allocator *allocator, ew_key key, GLuint *name,
                          ew_error *error);
 
 /* Deletes the programs. The list is left to ew_program_cache_abandon. */

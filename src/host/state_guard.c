@@ -204,17 +204,21 @@ static void keep_first_draw_buffer(const ew_gl *gl, ew_gl_state *state)
     gl->UseProgram(0);
 }
 
+void ew_gl_set_blending(const ew_gl *gl, const ew_gl_draw_state *draw)
+{
+    ew_gl_set_blend(gl, draw->blend);
+    /* Set even without blending: an advanced equation, or a factor of a second colour, may be an error all the same. */
+    set_blend_factors(gl, draw->source_rgb, draw->destination_rgb, draw->source_alpha, draw->destination_alpha);
+    set_blend_equation(gl, GL_FUNC_ADD, GL_FUNC_ADD);
+}
+
 void ew_gl_set_draw_state(const ew_gl *gl, ew_gl_state *state, const ew_gl_draw_state *draw)
 {
     gl->BindFramebuffer(GL_DRAW_FRAMEBUFFER, draw->framebuffer);
     keep_first_draw_buffer(gl, state);
     set_viewport(gl, (const GLfloat[4]){(GLfloat)draw->viewport[0], (GLfloat)draw->viewport[1], (GLfloat)draw->viewport[2],
                                         (GLfloat)draw->viewport[3]});
-
-    ew_gl_set_blend(gl, draw->blend);
-    /* Set even without blending: an advanced equation, or a factor of a second colour, may be an error all the same. */
-    set_blend_factors(gl, draw->source_rgb, draw->destination_rgb, draw->source_alpha, draw->destination_alpha);
-    set_blend_equation(gl, GL_FUNC_ADD, GL_FUNC_ADD);
+    ew_gl_set_blending(gl, draw);
     set_color_mask(gl, (const GLboolean[4]){GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE});
     if (gl->PolygonMode) gl->PolygonMode(GL_FRONT_AND_BACK, GL_FILL);
     if (gl->ClampColor) gl->ClampColor(COMPATIBILITY_CLAMP_FRAGMENT_COLOR, GL_FALSE);

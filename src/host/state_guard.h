@@ -82,6 +82,9 @@ void ew_gl_assume_state(const ew_gl *gl, ew_gl_state *state);
  * the mask; it must switch GL_SAMPLE_MASK off again. */
 void ew_gl_set_draw_state(const ew_gl *gl, ew_gl_state *state, const ew_gl_draw_state *draw);
 
+/* Sets the part of it that says what becomes of the target's colour. */
+void ew_gl_set_blending(const ew_gl *gl, const ew_gl_draw_state *draw);
+
 /* Changes what is set, for passes to other targets. */
 void ew_gl_set_viewport(const ew_gl *gl, const ew_viewport *viewport);
 void ew_gl_set_blend(const ew_gl *gl, bool blend);

@@ -71,3 +71,31 @@ ew_bounds ew_find_bounds(const ew_sources *sources, double light_reach, const ew
     }
     return to_bounds(&all, viewport);
 }
+
+ew_bounds ew_find_media_bounds(const ew_medium *media, size_t count, const ew_view *view, const ew_viewport *viewport)
+{
+    const ew_interval depths = {ew_first_depth(view), HUGE_VAL};
+    ew_silhouette all = nothing, one;
+    for (size_t i = 0; i < count; ++i)
+        for (int face = 0; face < EW_MEDIUM_FACES; ++face) {
+            const ew_hull hull = ew_face_of_medium(&media[i], face), seen = ew_see_hull(&hull, view);
+            /* A face that is seen from straight ahead would have no depths. */
+            const double thickness = 1e-9 * sqrt(ew_dot(media[i].half_axes[face / 2], media[i].half_axes[face / 2]));
+            if (ew_find_silhouette(&seen, thickness, view, &depths, &one)) unite(&all, &one);
+        }
+    return to_bounds(&all, viewport);
+}
+
+ew_bounds ew_unite_bounds(const ew_bounds *a, const ew_bounds *b)
+{
+    if (a->width == 0 || a->height == 0) return *b;
+    if (b->width == 0 || b->height == 0) return *a;
+    int x = a->x < b->x ? a->x : b->x, y = a->y < b->y ? a->y : b->y;
+    int right_a = a->x + a->width, right_b = b->x + b->width, top_a = a->y + a->height, top_b = b->y + b->height;
+    return (ew_bounds){.x = x,
+                       .y = y,
+                       .width = (right_a > right_b ? right_a : right_b) - x,
+                       .height = (top_a > top_b ? top_a : top_b) - y,
+                       .depth_start = fmin(a->depth_start, b->depth_start),
+                       .depth_end = fmax(a->depth_end, b->depth_end)};
+}

@@ -2,6 +2,7 @@
 #ifndef EW_MODEL_BOUNDS_H
 #define EW_MODEL_BOUNDS_H
 
+#include "model/media.h"
 #include "model/rays.h"
 #include "model/sources.h"
 
@@ -12,5 +13,11 @@ ew_bounds ew_find_source_bounds(const ew_lit_source *lit, const ew_view *view, c
 /* The same of all sources. `light_reach`: see ew_lit_source_at. */
 ew_bounds ew_find_bounds(const ew_sources *sources, double light_reach, const ew_view *view, const ew_interval *depths,
                          const ew_viewport *viewport);
+
+/* The rectangle and the depths in which media are seen. */
+ew_bounds ew_find_media_bounds(const ew_medium *media, size_t count, const ew_view *view, const ew_viewport *viewport);
+
+/* What is in either of two bounds. */
+ew_bounds ew_unite_bounds(const ew_bounds *a, const ew_bounds *b);
 
 #endif

@@ -22,6 +22,7 @@ struct ew_uniform_head {
     int source_counts[4 * EW_COUNT_VECTORS]; /* by kind */
     struct ew_grid_block grid;
     struct ew_fog_block fog;
+    struct ew_medium_block media[EW_MEDIUM_ROOM];
 };
 
 #endif

@@ -17,5 +17,7 @@
 #define EW_MAX_LIGHT_GAIN 1e6
 #define EW_MAX_EXPOSURE 1e6
 #define EW_MAX_EXTINCTION 1e12
+#define EW_MIN_FLATNESS 1e-9 /* of a body: its volume, of that of a block with its axes at right angles */
+#define EW_MAX_BODY_MAP 1e15 /* of what brings ray space to that of a body */
 
 #endif

@@ -3,6 +3,7 @@
 
 #include "base/error.h"
 #include "model/limits.h"
+#include "model/media.h"
 #include "model/rays.h"
 #include "model/vector.h"
 
@@ -83,6 +84,11 @@ static ew_result check_look(const ew_frame_desc *frame, ew_error *error)
     return EW_OK;
 }
 
+bool ew_draws_picture(const ew_frame_desc *frame)
+{
+    return frame->output == EW_OUTPUT_LERP || frame->output == EW_OUTPUT_ADD || frame->output == EW_OUTPUT_SOFT;
+}
+
 bool ew_has_fog(const ew_frame_desc *frame)
 {
     return frame->fog.extinction > 0;
@@ -127,6 +133,7 @@ ew_result ew_check_integral(const ew_frame_desc *frame, ew_error *error)
     if (result == EW_OK) result = check_decay(frame, error);
     if (result == EW_OK) result = check_look(frame, error);
     if (result == EW_OK) result = check_fog(frame, error);
+    if (result == EW_OK) result = ew_check_media(frame->media, frame->medium_count, error);
     return result == EW_OK ? check_integrator(frame, error) : result;
 }
 

@@ -19,11 +19,14 @@ double ew_core_pixels_of(const ew_frame_desc *frame);
 bool ew_has_fog(const ew_frame_desc *frame);
 bool ew_has_height_fog(const ew_frame_desc *frame);
 
+/* Whether it draws a picture, with the media that it has. */
+bool ew_draws_picture(const ew_frame_desc *frame);
+
 /* The frame with what the host leaves to us: its view is the rotation next to it, and its projection is turned over if NDC's y
  * points down in the target. A frame that ew_check_integral refuses is refused as before. */
 ew_frame_desc ew_settle_frame(const ew_frame_desc *frame, bool is_upside_down);
 
-/* Checks what the integral depends on: view, interval, decay, fog and integrator. */
+/* Checks what the integral depends on: view, interval, decay, fog, media and integrator. */
 ew_result ew_check_integral(const ew_frame_desc *frame, ew_error *error);
 
 /* Checks where and how the light is drawn: viewport, output, encoding, dither, depth and restoration. */

@@ -5,7 +5,7 @@
 
 #include <string.h>
 
-_Static_assert(EW_PERMUTATION_FLAG_COUNT + EW_KIND_COUNT * EW_PERMUTATION_COUNT_BITS <= 32, "a key has too few bits");
+_Static_assert(EW_PERMUTATION_FLAG_COUNT + EW_KIND_COUNT * EW_PERMUTATION_COUNT_BITS <= 64, "a key has too few bits");
 _Static_assert(EW_ANY_COUNT < 1 << EW_PERMUTATION_COUNT_BITS, "a count has too few bits");
 
 static int count_shift(int kind)
@@ -13,41 +13,48 @@ static int count_shift(int kind)
     return EW_PERMUTATION_FLAG_COUNT + kind * EW_PERMUTATION_COUNT_BITS;
 }
 
-unsigned ew_permutation_count(unsigned key, int kind)
+unsigned ew_permutation_count(ew_key key, int kind)
 {
-    return key >> count_shift(kind) & ((1u << EW_PERMUTATION_COUNT_BITS) - 1);
+    return (unsigned)(key >> count_shift(kind)) & ((1u << EW_PERMUTATION_COUNT_BITS) - 1);
 }
 
-unsigned ew_permutation_with_count(unsigned key, int kind, size_t count)
+ew_key ew_permutation_with_count(ew_key key, int kind, size_t count)
 {
-    return key | (unsigned)(count < EW_ANY_COUNT ? count : EW_ANY_COUNT) << count_shift(kind);
+    return key | (ew_key)(count < EW_ANY_COUNT ? count : EW_ANY_COUNT) << count_shift(kind);
 }
 
-static unsigned dither_of(const ew_frame_desc *frame)
+static ew_key dither_of(const ew_frame_desc *frame)
 {
-    bool is_picture = frame->output == EW_OUTPUT_LERP || frame->output == EW_OUTPUT_ADD || frame->output == EW_OUTPUT_SOFT;
-    if (!frame->dither || !is_picture || frame->encoding == EW_ENCODING_FLOAT) return 0;
-    return EW_PERMUTATION_DITHER | (frame->encoding == EW_ENCODING_SRGB_8BIT ? (unsigned)EW_PERMUTATION_DITHER_SRGB : 0);
+    if (!frame->dither || !ew_draws_picture(frame) || frame->encoding == EW_ENCODING_FLOAT) return 0;
+    return EW_PERMUTATION_DITHER | (frame->encoding == EW_ENCODING_SRGB_8BIT ? (ew_key)EW_PERMUTATION_DITHER_SRGB : 0);
 }
 
-static unsigned emitters_of(const ew_mix *mix, const ew_frame_desc *frame)
+static ew_key emitters_of(const ew_mix *mix, const ew_frame_desc *frame)
 {
-    unsigned key = EW_PERMUTATION_IRRADIANCE | EW_PERMUTATION_WORLD;
+    ew_key key = EW_PERMUTATION_IRRADIANCE | EW_PERMUTATION_WORLD;
     if (frame->shadow_thickness > 0) key |= EW_PERMUTATION_SHADOWS;
     if (frame->normal_texture != 0) key |= EW_PERMUTATION_NORMALS;
     if (mix->has_reach) key |= EW_PERMUTATION_REACH;
     return key;
 }
 
-static unsigned field_of(const ew_mix *mix, const ew_frame_desc *frame)
+/* What dims light on its way. */
+static ew_key air_of(const ew_frame_desc *frame)
 {
-    unsigned key = ew_is_world_frame(frame) ? EW_PERMUTATION_WORLD | EW_PERMUTATION_REACH : 0;
+    ew_key key = 0;
+    if (ew_has_fog(frame) || frame->medium_count > 0) key |= EW_PERMUTATION_FOG;
+    if (ew_has_height_fog(frame)) key |= EW_PERMUTATION_FOG_HEIGHT;
+    if (frame->medium_count > 0) key |= EW_PERMUTATION_MEDIA;
+    return key;
+}
+
+static ew_key field_of(const ew_mix *mix, const ew_frame_desc *frame)
+{
+    ew_key key = ew_is_world_frame(frame) ? EW_PERMUTATION_WORLD | EW_PERMUTATION_REACH : 0;
     if (mix->has_reach) key |= EW_PERMUTATION_REACH;
     if (mix->has_sharpness) key |= EW_PERMUTATION_SHARPNESS | EW_PERMUTATION_REACH;
     if (ew_core_pixels_of(frame) > 0) key |= EW_PERMUTATION_CORE_PIXELS;
-    if (ew_has_fog(frame)) key |= EW_PERMUTATION_FOG;
-    if (ew_has_height_fog(frame)) key |= EW_PERMUTATION_FOG_HEIGHT;
-    return key;
+    return key | air_of(frame);
 }
 
 static size_t count_in(const ew_mix *mix, int kind)
@@ -68,9 +75,9 @@ double ew_mix_cost(const ew_mix *mix)
     return mix->has_reach ? COST_OF_REACHES * cost : cost;
 }
 
-unsigned ew_permutation_of(const ew_mix *mix, const ew_frame_desc *frame)
+ew_key ew_permutation_of(const ew_mix *mix, const ew_frame_desc *frame)
 {
-    unsigned key = dither_of(frame) | (ew_draws_surfaces(frame) ? emitters_of(mix, frame) : field_of(mix, frame));
+    ew_key key = dither_of(frame) | (ew_draws_surfaces(frame) ? emitters_of(mix, frame) : field_of(mix, frame));
     if (mix->has_joints && mix->path_count > 0) key |= EW_PERMUTATION_JOINTS;
     if (mix->has_bends && mix->path_count > 0) key |= EW_PERMUTATION_BENDS | EW_PERMUTATION_JOINTS;
     bool takes_weights = false;
@@ -87,29 +94,34 @@ unsigned ew_permutation_of(const ew_mix *mix, const ew_frame_desc *frame)
     return key;
 }
 
-unsigned ew_permutation_with_depth(unsigned key, ew_depth_kind depth)
+ew_key ew_permutation_of_media(const ew_frame_desc *frame)
 {
-    static const unsigned flags[] = {[EW_DEPTH_KIND_NONE] = 0,
-                                     [EW_DEPTH_KIND_SINGLE] = EW_PERMUTATION_DEPTH,
-                                     [EW_DEPTH_KIND_MULTISAMPLE] = EW_PERMUTATION_DEPTH | EW_PERMUTATION_DEPTH_MULTISAMPLE};
+    return EW_PERMUTATION_WORLD | dither_of(frame) | air_of(frame);
+}
+
+ew_key ew_permutation_with_depth(ew_key key, ew_depth_kind depth)
+{
+    static const ew_key flags[] = {[EW_DEPTH_KIND_NONE] = 0,
+                                   [EW_DEPTH_KIND_SINGLE] = EW_PERMUTATION_DEPTH,
+                                   [EW_DEPTH_KIND_MULTISAMPLE] = EW_PERMUTATION_DEPTH | EW_PERMUTATION_DEPTH_MULTISAMPLE};
     return key | flags[depth];
 }
 
-unsigned ew_permutation_with_lists(unsigned key)
+ew_key ew_permutation_with_lists(ew_key key)
 {
     if (!(key & EW_PERMUTATION_REACH)) return key;
-    unsigned general = (key & ((1u << EW_PERMUTATION_FLAG_COUNT) - 1)) | EW_PERMUTATION_LISTS;
+    ew_key general = (key & (((ew_key)1 << EW_PERMUTATION_FLAG_COUNT) - 1)) | EW_PERMUTATION_LISTS;
     for (int kind = 0; kind < EW_KIND_COUNT; ++kind)
         general = ew_permutation_with_count(general, kind, ew_permutation_count(key, kind) > 0 ? EW_ANY_COUNT : 0);
     return general;
 }
 
-bool ew_permutation_covers(unsigned key, unsigned other)
+bool ew_permutation_covers(ew_key key, ew_key other)
 {
     /* What a shader may know without harm to sources that do not need it. Reaches are not among that: blocks are longer with
      * them. */
-    const unsigned extras = EW_PERMUTATION_WEIGHTS | EW_PERMUTATION_SHARPNESS | EW_PERMUTATION_JOINTS | EW_PERMUTATION_BENDS;
-    const unsigned flags = ((1u << EW_PERMUTATION_FLAG_COUNT) - 1) & ~extras;
+    const ew_key extras = EW_PERMUTATION_WEIGHTS | EW_PERMUTATION_SHARPNESS | EW_PERMUTATION_JOINTS | EW_PERMUTATION_BENDS;
+    const ew_key flags = (((ew_key)1 << EW_PERMUTATION_FLAG_COUNT) - 1) & ~extras;
     if ((key & flags) != (other & flags) || (other & extras & ~key) != 0) return false;
     for (int kind = 0; kind < EW_KIND_COUNT; ++kind)
         if (ew_permutation_count(key, kind) != ew_permutation_count(other, kind) &&

@@ -5,6 +5,9 @@
 #include "model/kinds.h"
 
 #include <stdbool.h>
+#include <stdint.h>
+
+typedef uint64_t ew_key;
 
 /* The lowest bits of a key. */
 enum {
@@ -30,7 +33,8 @@ enum {
     EW_PERMUTATION_NORMALS = 1 << 19,    /* likewise */
     EW_PERMUTATION_FOG = 1 << 20,
     EW_PERMUTATION_FOG_HEIGHT = 1 << 21, /* with EW_PERMUTATION_FOG */
-    EW_PERMUTATION_FLAG_COUNT = 22,
+    EW_PERMUTATION_MEDIA = 1 << 22,      /* likewise */
+    EW_PERMUTATION_FLAG_COUNT = 23,
 };
 
 /* Above the flags stand the counts of sources by kind, each in a field of EW_PERMUTATION_COUNT_BITS: 0 and 1 stand for
@@ -41,24 +45,27 @@ enum { EW_PERMUTATION_COUNT_BITS = 2 };
 typedef enum ew_depth_kind { EW_DEPTH_KIND_NONE, EW_DEPTH_KIND_SINGLE, EW_DEPTH_KIND_MULTISAMPLE } ew_depth_kind;
 
 /* The key of the shader that draws `mix` as `frame` says, without depth. */
-unsigned ew_permutation_of(const ew_mix *mix, const ew_frame_desc *frame);
+ew_key ew_permutation_of(const ew_mix *mix, const ew_frame_desc *frame);
+
+/* The key of the shader that draws the frame's media themselves, likewise. */
+ew_key ew_permutation_of_media(const ew_frame_desc *frame);
 
 /* What a pixel of the mix costs, in points without a reach. */
 double ew_mix_cost(const ew_mix *mix);
 
 /* The key with that depth. */
-unsigned ew_permutation_with_depth(unsigned key, ew_depth_kind depth);
+ew_key ew_permutation_with_depth(ew_key key, ew_depth_kind depth);
 
 /* The key with lists by tile, if it knows reaches; then any count of a kind that it knows will do. */
-unsigned ew_permutation_with_lists(unsigned key);
+ew_key ew_permutation_with_lists(ew_key key);
 
 /* The key with that many sources of a kind, none before. */
-unsigned ew_permutation_with_count(unsigned key, int kind, size_t count);
+ew_key ew_permutation_with_count(ew_key key, int kind, size_t count);
 
 /* The count of a kind, or EW_ANY_COUNT. */
-unsigned ew_permutation_count(unsigned key, int kind);
+unsigned ew_permutation_count(ew_key key, int kind);
 
 /* Whether the shader of `key` draws all that the one of `other` does, if slower. */
-bool ew_permutation_covers(unsigned key, unsigned other);
+bool ew_permutation_covers(ew_key key, ew_key other);
 
 #endif

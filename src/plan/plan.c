@@ -5,6 +5,7 @@
 #include "model/bounds.h"
 #include "model/limits.h"
 #include "model/lit_space.h"
+#include "model/media.h"
 #include "plan/frame.h"
 
 /* How much the four values of a panel may bend, relative to the integral, for the whole to keep the quality's error: measured,
@@ -124,6 +125,14 @@ static void pack_fog(const ew_fog *fog, const ew_view *view, const ew_ray_space 
     block->height = ew_pack(growth, clamp_exponent((at_anchor - fog->base) / fog->scale));
 }
 
+/* Fills what dims light on its way. */
+static ew_result pack_air(const ew_frame_desc *frame, const ew_view *view, const ew_ray_space *space,
+                          struct ew_uniform_head *head, ew_error *error)
+{
+    pack_fog(&frame->fog, view, space, &head->fog);
+    return ew_pack_media(frame->media, frame->medium_count, space, frame->exposure, head, error);
+}
+
 /* Fills the plan's uniforms for a checked frame, but for what depends on the viewport. */
 static ew_result pack(ew_plan *plan, ew_sources *sources, const ew_frame_desc *frame, const ew_lit_space *space,
                       ew_error *error)
@@ -135,11 +144,11 @@ static ew_result pack(ew_plan *plan, ew_sources *sources, const ew_frame_desc *f
     ew_result result = needs_reach ? ew_sources_check_reach(sources, error) : EW_OK;
     if (result == EW_OK) result = ew_check_rays(&view, interval, error);
     if (result == EW_OK) result = ew_sources_pack(sources, &packing, error);
+    if (result == EW_OK) result = pack_air(frame, &view, &packing.space, &plan->uniforms, error);
     if (result != EW_OK) return result;
 
     struct ew_frame_block *block = &plan->uniforms.frame;
     ew_pack_ray_space(&packing.space, block);
-    pack_fog(&frame->fog, &view, &packing.space, &plan->uniforms.fog);
     block->decay =
         (ew_vec4){(float)frame->decay_beta, (float)(sources->epsilon / packing.space.length),
                   (float)panel_tolerance(frame->quality), (float)((interval->end - interval->start) / packing.space.length)};
@@ -191,6 +200,15 @@ static bool is_adaptive(const ew_frame_desc *frame, const ew_mix *mix)
            (double)frame->viewport_width * frame->viewport_height >= MIN_ADAPTIVE_PIXELS;
 }
 
+/* Says where and how the frame is drawn. */
+static void set_target(ew_plan *plan, const ew_frame_desc *frame, ew_blend blend)
+{
+    plan->target = (ew_target){frame->framebuffer, viewport_of(frame), blend, frame->encoding == EW_ENCODING_SRGB_8BIT,
+                               frame->keep_stencil_test};
+    plan->depth = (ew_depth_request){frame->depth_source, frame->depth_texture};
+    plan->skips_restore = frame->skip_restore;
+}
+
 ew_result ew_plan_frame(ew_plan *plan, ew_sources *sources, const ew_mix *mix, const ew_frame_desc *frame, ew_error *error)
 {
     *plan = (ew_plan){0};
@@ -201,19 +219,38 @@ ew_result ew_plan_frame(ew_plan *plan, ew_sources *sources, const ew_mix *mix, c
     result = pack(plan, sources, frame, &space, error);
     if (result != EW_OK) return result;
 
-    const ew_viewport viewport = viewport_of(frame);
     const ew_mix current = ew_sources_mix(sources);
     pack_viewport(plan, frame, &space);
     pack_target_steps(frame->encoding, &plan->uniforms.frame);
+    plan->pass = ew_draws_surfaces(frame) ? EW_PASS_SURFACES : EW_PASS_WAVE;
     plan->permutation = ew_permutation_of(mix ? mix : &current, frame);
     plan->source_units = mix ? (mix->has_many ? EW_MAX_SOURCE_UNITS : 0) : sources->data_size / sizeof(ew_vec4);
-    plan->target = (ew_target){frame->framebuffer, viewport, blend_of(frame->output), frame->encoding == EW_ENCODING_SRGB_8BIT,
-                               frame->keep_stencil_test};
-    plan->depth = (ew_depth_request){frame->depth_source, frame->depth_texture};
+    set_target(plan, frame, blend_of(frame->output));
     plan->light_reach = ew_draws_surfaces(frame) ? frame->light_reach : 0;
     plan->normal_texture = ew_draws_surfaces(frame) ? frame->normal_texture : 0;
     plan->is_adaptive = is_adaptive(frame, mix ? mix : &current);
-    plan->skips_restore = frame->skip_restore;
+    return EW_OK;
+}
+
+ew_result ew_plan_media(ew_plan *plan, const ew_frame_desc *frame, bool *draws, ew_error *error)
+{
+    const ew_view view = ew_view_of(frame);
+    ew_lit_space space;
+    *plan = (ew_plan){.pass = EW_PASS_MEDIA, .permutation = ew_permutation_of_media(frame)};
+    *draws = ew_draws_picture(frame) && ew_find_media_space(frame->media, frame->medium_count, &view, &space);
+    if (!*draws) return EW_OK;
+    const ew_ray_space rays = {frame->view, space.interval.start, space.unit};
+    ew_result result = ew_check_rays(&view, &space.interval, error);
+    if (result == EW_OK) result = pack_air(frame, &view, &rays, &plan->uniforms, error);
+    if (result != EW_OK) return result;
+    plan->uniforms.frame.decay.w = (float)((space.interval.end - space.interval.start) / space.unit);
+    plan->depths = space.interval;
+    pack_viewport(plan, frame, &space);
+    const ew_bounds seen = ew_find_media_bounds(frame->media, frame->medium_count, &view, &plan->lit);
+    set_lit(plan, &(ew_viewport){seen.x, seen.y, seen.width, seen.height});
+    *draws = seen.width > 0 && seen.height > 0;
+    pack_target_steps(frame->encoding, &plan->uniforms.frame);
+    set_target(plan, frame, frame->output == EW_OUTPUT_LERP ? EW_BLEND_OVER : EW_BLEND_DIM);
     return EW_OK;
 }
 
@@ -247,5 +284,8 @@ ew_result ew_plan_bounds(const ew_sources *sources, const ew_frame_desc *frame, 
     const ew_interval world = {ew_first_depth(&view), HUGE_VAL}, own = {frame->interval_start, frame->interval_end};
     const ew_viewport viewport = viewport_of(frame);
     *bounds = ew_find_bounds(sources, draws_surfaces ? frame->light_reach : 0, &view, is_everywhere ? &world : &own, &viewport);
+    if (!ew_draws_picture(frame)) return EW_OK;
+    const ew_bounds media = ew_find_media_bounds(frame->media, frame->medium_count, &view, &viewport);
+    *bounds = ew_unite_bounds(bounds, &media);
     return EW_OK;
 }

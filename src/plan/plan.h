@@ -7,15 +7,17 @@
 #include "model/rays.h"
 #include "model/sources.h"
 #include "plan/permutation.h"
+#include "plan/shader_text.h"
 #include "plan/tile_lists.h"
 
 /* What becomes of the shader's colour and the target's: see ew_output. */
 typedef enum ew_blend {
     EW_BLEND_REPLACE,
     EW_BLEND_OVER,  /* premultiplied */
-    EW_BLEND_ADD,   /* alpha is left alone */
-    EW_BLEND_SOFT,  /* the target pales by the colour; alpha is left alone */
-    EW_BLEND_LIGHT, /* the target is the albedo of what the colour lights; alpha is left alone */
+    EW_BLEND_DIM,   /* the same, but alpha is left alone */
+    EW_BLEND_ADD,   /* likewise */
+    EW_BLEND_SOFT,  /* the target pales by the colour; likewise */
+    EW_BLEND_LIGHT, /* the target is the albedo of what the colour lights; likewise */
 } ew_blend;
 
 /* Where and how to draw. */
@@ -34,7 +36,8 @@ typedef struct ew_depth_request {
 } ew_depth_request;
 
 typedef struct ew_plan {
-    unsigned permutation; /* without depth, whose kind the context must tell */
+    ew_pass pass;       /* that draws it where there is no grid */
+    ew_key permutation; /* without depth, whose kind the context must tell */
     struct ew_uniform_head uniforms;
     const void *source_data; /* behind the uniforms' head; the sources' own */
     size_t source_data_size;
@@ -62,6 +65,10 @@ ew_result ew_plan_uniforms(ew_plan *plan, ew_sources *sources, const ew_frame_de
 /* Plans the drawing of `sources` as `frame` says, with the shader for `mix`; NULL: for the sources. The plan is valid until the
  * sources change or are planned again. */
 ew_result ew_plan_frame(ew_plan *plan, ew_sources *sources, const ew_mix *mix, const ew_frame_desc *frame, ew_error *error);
+
+/* Plans the drawing of the media themselves, of a frame that ew_plan_frame has taken. `draws` receives whether
+ * there are any to be drawn. */
+ew_result ew_plan_media(ew_plan *plan, const ew_frame_desc *frame, bool *draws, ew_error *error);
 
 /* Completes a plan of ew_plan_frame by lists of the sources by tile, if the sources have reaches.
  * The plan is valid until the lists are made again. */

@@ -52,7 +52,7 @@ size_t ew_join_shader_text(const ew_shader_text *text, char *joined)
 /* ---- The head of a shader ---- */
 
 /* Multisampled textures came to OpenGL with GLSL 1.50, and to OpenGL ES with 3.10. */
-static void add_version(ew_shader_text *text, const ew_dialect *dialect, unsigned key)
+static void add_version(ew_shader_text *text, const ew_dialect *dialect, ew_key key)
 {
     bool multisample = key & EW_PERMUTATION_DEPTH_MULTISAMPLE;
     if (!dialect->es)
@@ -65,13 +65,13 @@ static void add_version(ew_shader_text *text, const ew_dialect *dialect, unsigne
 }
 
 /* How many vec4 a source of the kind takes in the shader of `key`. */
-static size_t units_of(int kind, unsigned key)
+static size_t units_of(int kind, ew_key key)
 {
     return ew_kind_units(ew_kinds[kind], key & EW_PERMUTATION_REACH);
 }
 
 /* How many vec4 the sources take as varyings; 0 where their number is not known, or too large. */
-static size_t source_varyings(const ew_dialect *dialect, unsigned key)
+static size_t source_varyings(const ew_dialect *dialect, ew_key key)
 {
     size_t units = 0;
     for (int kind = 0; kind < EW_KIND_COUNT; ++kind) {
@@ -83,21 +83,21 @@ static size_t source_varyings(const ew_dialect *dialect, unsigned key)
     return head + units <= (size_t)dialect->max_varying_vectors ? units : 0;
 }
 
-static void add_defines(ew_shader_text *text, const ew_dialect *dialect, unsigned key)
+static void add_defines(ew_shader_text *text, const ew_dialect *dialect, ew_key key)
 {
     static const char *const flags[EW_PERMUTATION_FLAG_COUNT] = {
-        "WEIGHTS", "DEPTH",       "SIMPSON", "LUMINANCE", "EVALUATIONS",    "DEPTH_MULTISAMPLE",
-        "DITHER",  "DITHER_SRGB", "WORLD",   "REACH",     "CORE_PIXELS",    "SHARPNESS",
-        "SOFT",    "JOINTS",      "BENDS",   "LISTS",     "SOURCE_TEXTURE", "IRRADIANCE",
-        "SHADOWS", "NORMALS",     "FOG",     "FOG_HEIGHT"};
+        "WEIGHTS", "DEPTH",       "SIMPSON", "LUMINANCE",  "EVALUATIONS",    "DEPTH_MULTISAMPLE",
+        "DITHER",  "DITHER_SRGB", "WORLD",   "REACH",      "CORE_PIXELS",    "SHARPNESS",
+        "SOFT",    "JOINTS",      "BENDS",   "LISTS",      "SOURCE_TEXTURE", "IRRADIANCE",
+        "SHADOWS", "NORMALS",     "FOG",     "FOG_HEIGHT", "MEDIA"};
     add_made(text, "#define EW_SOURCE_DATA_SIZE %zu\n", dialect->capacity);
     if (key & EW_PERMUTATION_LISTS) add_made(text, "#define EW_LIST_SIZE %zu\n", dialect->list_size);
     for (int i = 0; i < EW_PERMUTATION_FLAG_COUNT; ++i)
-        if (key & 1u << i) add_made(text, "#define EW_%s\n", flags[i]);
+        if (key & (ew_key)1 << i) add_made(text, "#define EW_%s\n", flags[i]);
 }
 
 /* The published method is a baseline, and reads its sources from the uniform block as it was published. */
-static void add_software_defines(ew_shader_text *text, const ew_dialect *dialect, unsigned key)
+static void add_software_defines(ew_shader_text *text, const ew_dialect *dialect, ew_key key)
 {
     if (key & EW_PERMUTATION_SIMPSON || !dialect->software) return;
     add(text, "#define EW_SOFTWARE\n");
@@ -109,7 +109,7 @@ static void add_software_defines(ew_shader_text *text, const ew_dialect *dialect
 
 /* Where the sources of a kind start in the block, as an expression: all of the kinds before it. EW_KIND_COUNT asks for the end
  * of the last. */
-static void add_start(ew_shader_text *text, int kind, unsigned key)
+static void add_start(ew_shader_text *text, int kind, ew_key key)
 {
     size_t known = 0;
     for (int before = 0; before < kind; ++before) {
@@ -123,7 +123,7 @@ static void add_start(ew_shader_text *text, int kind, unsigned key)
 }
 
 /* EW_..._COUNT, and the function that reads source i of the kind: its block consists of vec4 and nothing else. */
-static void add_reader(ew_shader_text *text, int index, unsigned key)
+static void add_reader(ew_shader_text *text, int index, ew_key key)
 {
     const ew_kind *kind = ew_kinds[index];
     unsigned count = ew_permutation_count(key, index);
@@ -141,7 +141,7 @@ static void add_reader(ew_shader_text *text, int index, unsigned key)
     add_made(text, "%s);\n}\n", key & EW_PERMUTATION_REACH ? "" : ", ew_plain_glow()");
 }
 
-static void add_readers(ew_shader_text *text, unsigned key)
+static void add_readers(ew_shader_text *text, ew_key key)
 {
     for (int kind = 0; kind < EW_KIND_COUNT; ++kind)
         add_reader(text, kind, key);
@@ -176,7 +176,7 @@ static void add_bend_files(ew_shader_text *text, const ew_kind *kind, bool is_sa
         add_file_once(text, files[i]);
 }
 
-static void add_kinds(ew_shader_text *text, unsigned key, const ew_integrator_text *integrator)
+static void add_kinds(ew_shader_text *text, ew_key key, const ew_integrator_text *integrator)
 {
     for (int kind = 0; kind < EW_KIND_COUNT; ++kind) {
         if (ew_permutation_count(key, kind) == 0) continue;
@@ -196,7 +196,7 @@ static void add_kinds(ew_shader_text *text, unsigned key, const ew_integrator_te
 
 static const char *const nothing_before[] = {NULL};
 
-static const ew_integrator_text *integrator_of(unsigned key)
+static const ew_integrator_text *integrator_of(ew_key key)
 {
     static const char *const adaptive_before[] = {ew_glsl_quadrature_glsl, NULL};
     static const char *const fogged_before[] = {ew_glsl_product_rule_glsl, ew_glsl_fogged_glsl, ew_glsl_quadrature_glsl,
@@ -209,7 +209,7 @@ static const ew_integrator_text *integrator_of(unsigned key)
 }
 
 /* What the light along rays and that on surfaces share. */
-static void add_sources(ew_shader_text *text, unsigned key, bool has_grid)
+static void add_sources(ew_shader_text *text, ew_key key, bool has_grid)
 {
     add_file(text, ew_glsl_layout_glsl);
     add_file(text, ew_glsl_blocks_glsl);
@@ -218,6 +218,7 @@ static void add_sources(ew_shader_text *text, unsigned key, bool has_grid)
     add_file(text, ew_glsl_segment_glsl);
     add_file(text, ew_glsl_core_glsl);
     if (key & EW_PERMUTATION_FOG) add_file(text, ew_glsl_fog_glsl);
+    if (key & EW_PERMUTATION_MEDIA) add_file(text, ew_glsl_media_glsl);
     add_file(text, ew_glsl_components_glsl);
     if (key & EW_PERMUTATION_WEIGHTS) add_file(text, ew_glsl_weight_glsl);
     if (key & EW_PERMUTATION_LISTS) add_file(text, ew_glsl_list_glsl);
@@ -225,7 +226,7 @@ static void add_sources(ew_shader_text *text, unsigned key, bool has_grid)
 }
 
 /* The light along a segment of a ray. */
-static void add_light(ew_shader_text *text, unsigned key, const ew_integrator_text *integrator, bool has_grid)
+static void add_light(ew_shader_text *text, ew_key key, const ew_integrator_text *integrator, bool has_grid)
 {
     add_sources(text, key, has_grid);
     if (integrator->is_sampling) {
@@ -234,12 +235,13 @@ static void add_light(ew_shader_text *text, unsigned key, const ew_integrator_te
     }
     for (int i = 0; integrator->before[i]; ++i)
         add_file(text, integrator->before[i]);
+    if (key & EW_PERMUTATION_MEDIA && has_grid) add_file(text, ew_glsl_media_edge_glsl);
     add_kinds(text, key, integrator);
     add_file(text, ew_glsl_light_glsl);
 }
 
 /* The light on surfaces. */
-static void add_irradiance(ew_shader_text *text, unsigned key)
+static void add_irradiance(ew_shader_text *text, ew_key key)
 {
     add_file(text, ew_glsl_emitter_glsl);
     for (int kind = 0; kind < EW_KIND_COUNT; ++kind)
@@ -248,13 +250,20 @@ static void add_irradiance(ew_shader_text *text, unsigned key)
 }
 
 /* What glossy surfaces mirror of that. */
-static void add_gloss(ew_shader_text *text, unsigned key)
+static void add_gloss(ew_shader_text *text, ew_key key)
 {
     add_file_once(text, ew_glsl_straight_emitter_glsl);
     add_file(text, ew_glsl_gloss_glsl);
     for (int kind = 0; kind < EW_KIND_COUNT; ++kind)
         if (ew_permutation_count(key, kind) > 0) add_files_once(text, ew_kinds[kind]->gloss_files);
     add_file(text, ew_glsl_gloss_of_all_glsl);
+}
+
+/* The light of media themselves. */
+static void add_media_light(ew_shader_text *text, ew_key key)
+{
+    if (key & EW_PERMUTATION_FOG_HEIGHT) add_file_once(text, ew_glsl_product_rule_glsl);
+    add_file(text, ew_glsl_media_light_glsl);
 }
 
 static void start(ew_shader_text *text, bool numbers_lines)
@@ -268,7 +277,7 @@ static void start(ew_shader_text *text, bool numbers_lines)
 static bool integrates(ew_pass pass)
 {
     return pass == EW_PASS_WAVE || pass == EW_PASS_NODES || pass == EW_PASS_FIELD || pass == EW_PASS_CELLS ||
-           pass == EW_PASS_SURFACES;
+           pass == EW_PASS_SURFACES || pass == EW_PASS_MEDIA;
 }
 
 static bool draws_patches(ew_pass pass)
@@ -276,9 +285,9 @@ static bool draws_patches(ew_pass pass)
     return pass == EW_PASS_CELLS || pass == EW_PASS_INTERPOLATION;
 }
 
-unsigned ew_permutation_of_pass(ew_pass pass, unsigned key)
+ew_key ew_permutation_of_pass(ew_pass pass, ew_key key)
 {
-    const unsigned target = EW_PERMUTATION_LUMINANCE | EW_PERMUTATION_DITHER | EW_PERMUTATION_DITHER_SRGB | EW_PERMUTATION_SOFT;
+    const ew_key target = EW_PERMUTATION_LUMINANCE | EW_PERMUTATION_DITHER | EW_PERMUTATION_DITHER_SRGB | EW_PERMUTATION_SOFT;
     switch (pass) {
     case EW_PASS_NODES:
         return key & ~target;
@@ -296,7 +305,7 @@ unsigned ew_permutation_of_pass(ew_pass pass, unsigned key)
     }
 }
 
-static void start_stage(ew_shader_text *text, const ew_dialect *dialect, ew_pass pass, unsigned key)
+static void start_stage(ew_shader_text *text, const ew_dialect *dialect, ew_pass pass, ew_key key)
 {
     start(text, true);
     add_version(text, dialect, key);
@@ -305,7 +314,7 @@ static void start_stage(ew_shader_text *text, const ew_dialect *dialect, ew_pass
     if (integrates(pass)) add_software_defines(text, dialect, key);
 }
 
-void ew_write_vertex_shader(ew_shader_text *text, const ew_dialect *dialect, ew_pass pass, unsigned key)
+void ew_write_vertex_shader(ew_shader_text *text, const ew_dialect *dialect, ew_pass pass, ew_key key)
 {
     start_stage(text, dialect, pass, key);
     add(text, "#define EW_VERTEX_STAGE\n");
@@ -322,20 +331,25 @@ void ew_write_vertex_shader(ew_shader_text *text, const ew_dialect *dialect, ew_
     add_file(text, draws_patches(pass) ? ew_glsl_patch_vert : ew_glsl_quad_vert);
 }
 
-static void add_target_files(ew_shader_text *text, unsigned key)
+static void add_dither(ew_shader_text *text, ew_key key)
 {
-    add_file(text, ew_glsl_composite_glsl);
     if (!(key & EW_PERMUTATION_DITHER)) return;
     add_file(text, ew_glsl_noise_glsl);
     add_file(text, ew_glsl_dither_glsl);
 }
 
-static void add_depth(ew_shader_text *text, unsigned key)
+static void add_target_files(ew_shader_text *text, ew_key key)
+{
+    add_file(text, ew_glsl_composite_glsl);
+    add_dither(text, key);
+}
+
+static void add_depth(ew_shader_text *text, ew_key key)
 {
     if (key & EW_PERMUTATION_DEPTH) add_file(text, ew_glsl_depth_glsl);
 }
 
-static void write_integrating_shader(ew_shader_text *text, const ew_dialect *dialect, ew_pass pass, unsigned key,
+static void write_integrating_shader(ew_shader_text *text, const ew_dialect *dialect, ew_pass pass, ew_key key,
                                      const ew_integrator_text *integrator)
 {
     const bool is_of_nodes = pass == EW_PASS_NODES || pass == EW_PASS_FIELD;
@@ -353,13 +367,13 @@ static void write_integrating_shader(ew_shader_text *text, const ew_dialect *dia
     add_file(text, ew_glsl_wave_frag);
 }
 
-void ew_write_fragment_shader_with(ew_shader_text *text, const ew_dialect *dialect, unsigned key,
+void ew_write_fragment_shader_with(ew_shader_text *text, const ew_dialect *dialect, ew_key key,
                                    const ew_integrator_text *integrator)
 {
     write_integrating_shader(text, dialect, EW_PASS_WAVE, key, integrator);
 }
 
-static void write_surface_shader(ew_shader_text *text, const ew_dialect *dialect, unsigned key)
+static void write_surface_shader(ew_shader_text *text, const ew_dialect *dialect, ew_key key)
 {
     start_stage(text, dialect, EW_PASS_SURFACES, key);
     add_sources(text, key, false);
@@ -375,10 +389,21 @@ static void write_surface_shader(ew_shader_text *text, const ew_dialect *dialect
     add_file(text, ew_glsl_surface_frag);
 }
 
-void ew_write_fragment_shader(ew_shader_text *text, const ew_dialect *dialect, ew_pass pass, unsigned key)
+static void write_media_shader(ew_shader_text *text, const ew_dialect *dialect, ew_key key)
 {
-    if (pass == EW_PASS_SURFACES) {
-        write_surface_shader(text, dialect, key);
+    start_stage(text, dialect, EW_PASS_MEDIA, key);
+    add_sources(text, key, false);
+    add_media_light(text, key);
+    add_depth(text, key);
+    add_file(text, ew_glsl_ray_glsl);
+    add_dither(text, key);
+    add_file(text, ew_glsl_media_frag);
+}
+
+void ew_write_fragment_shader(ew_shader_text *text, const ew_dialect *dialect, ew_pass pass, ew_key key)
+{
+    if (pass == EW_PASS_SURFACES || pass == EW_PASS_MEDIA) {
+        (pass == EW_PASS_MEDIA ? write_media_shader : write_surface_shader)(text, dialect, key);
         return;
     }
     if (integrates(pass)) {
@@ -406,7 +431,7 @@ void ew_write_fragment_shader(ew_shader_text *text, const ew_dialect *dialect, e
     add_file(text, ew_glsl_interpolate_frag);
 }
 
-void ew_write_include(ew_shader_text *text, const ew_dialect *dialect, unsigned key)
+void ew_write_include(ew_shader_text *text, const ew_dialect *dialect, ew_key key)
 {
     start(text, false);
     add(text, "#ifdef GL_ES\nprecision highp float;\nprecision highp int;\n#endif\n");
@@ -416,5 +441,6 @@ void ew_write_include(ew_shader_text *text, const ew_dialect *dialect, unsigned 
         add_irradiance(text, key);
         add_gloss(text, key);
     }
+    if (key & EW_PERMUTATION_MEDIA) add_media_light(text, key);
     add_file(text, ew_glsl_include_glsl);
 }

@@ -21,7 +21,7 @@ typedef struct ew_integrator_text {
 } ew_integrator_text;
 
 /* The most strings that a shader consists of, and the most characters that are made rather than embedded. */
-enum { EW_SHADER_MAX_STRINGS = 96, EW_SHADER_MAX_MADE = 8192 };
+enum { EW_SHADER_MAX_STRINGS = 128, EW_SHADER_MAX_MADE = 8192 };
 
 /* A shader's text: `count` strings, one after the other. Not to be moved: some strings lie in `made`. */
 typedef struct ew_shader_text {
@@ -38,6 +38,7 @@ typedef struct ew_shader_text {
 typedef enum ew_pass {
     EW_PASS_WAVE,          /* every pixel of the viewport */
     EW_PASS_SURFACES,      /* the light on the opaque scene, at every pixel */
+    EW_PASS_MEDIA,         /* the media over the opaque scene, at every pixel */
     EW_PASS_NODES,         /* the light of the grid's nodes */
     EW_PASS_FIELD,         /* the field where the nodes' rays end */
     EW_PASS_PEAK,          /* the largest light of blocks of nodes */
@@ -50,22 +51,22 @@ typedef enum ew_pass {
 /* Whether a pass is one of adaptive resolution. */
 static inline bool ew_pass_is_of_grid(ew_pass pass)
 {
-    return pass != EW_PASS_WAVE && pass != EW_PASS_SURFACES;
+    return pass != EW_PASS_WAVE && pass != EW_PASS_SURFACES && pass != EW_PASS_MEDIA;
 }
 
 /* The part of a key that a pass depends on. */
-unsigned ew_permutation_of_pass(ew_pass pass, unsigned key);
+ew_key ew_permutation_of_pass(ew_pass pass, ew_key key);
 
-void ew_write_vertex_shader(ew_shader_text *text, const ew_dialect *dialect, ew_pass pass, unsigned key);
+void ew_write_vertex_shader(ew_shader_text *text, const ew_dialect *dialect, ew_pass pass, ew_key key);
 
-void ew_write_fragment_shader(ew_shader_text *text, const ew_dialect *dialect, ew_pass pass, unsigned key);
+void ew_write_fragment_shader(ew_shader_text *text, const ew_dialect *dialect, ew_pass pass, ew_key key);
 
 /* EW_PASS_WAVE with an integrator that is none of the library's, for comparisons with it. */
-void ew_write_fragment_shader_with(ew_shader_text *text, const ew_dialect *dialect, unsigned key,
+void ew_write_fragment_shader_with(ew_shader_text *text, const ew_dialect *dialect, ew_key key,
                                    const ew_integrator_text *integrator);
 
 /* The light without its picture, to be included into a shader that has a version. */
-void ew_write_include(ew_shader_text *text, const ew_dialect *dialect, unsigned key);
+void ew_write_include(ew_shader_text *text, const ew_dialect *dialect, ew_key key);
 
 /* Joins the strings: zero-terminated. Returns the length; with NULL, does only that. */
 size_t ew_join_shader_text(const ew_shader_text *text, char *joined);

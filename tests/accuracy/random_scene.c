@@ -92,7 +92,12 @@ static bool is_world_seed(uint64_t seed)
 
 static bool is_fog_seed(uint64_t seed)
 {
-    return seed >= 2 * RANDOM_WORLD_SEED;
+    return seed >= 2 * RANDOM_WORLD_SEED && seed < 4 * RANDOM_WORLD_SEED;
+}
+
+static bool is_media_seed(uint64_t seed)
+{
+    return seed >= 4 * RANDOM_WORLD_SEED;
 }
 
 int random_scene_kind_of(uint64_t seed)
@@ -242,6 +247,51 @@ static void write_fog(scene_maker *m)
     fputs(" }", m->file);
 }
 
+/* A body about as far around the place as it is large, or around the eye. */
+static void write_medium(scene_maker *m, bool is_first)
+{
+    static const char *const shapes[] = {"box", "sphere", "ellipsoid"};
+    int shape = (int)maker_between(m, 0, 3);
+    double size = m->distance * maker_magnitude(m, 1e-2, 3), center[3], radii[3];
+    double depth = maker_chance(m, 0.8) ? maker_magnitude(m, 1e-2, 10) : maker_magnitude(m, 1e-6, 1e3);
+    maker_offset(m, size * maker_between(m, 0, 1.5), center);
+    vector_add_scaled(center, 1, maker_chance(m, 0.2) ? m->eye : m->place, center);
+    fprintf(m->file, "%s { \"shape\": \"%s\", \"extinction\": %.17g, ", is_first ? "" : ",", shapes[shape], depth / size);
+    for (int i = 0; i < 3; i++)
+        radii[i] = size * maker_magnitude(m, 0.1, 1);
+    if (shape == 0) {
+        double min[3], max[3];
+        vector_subtract(center, radii, min);
+        vector_add_scaled(center, 1, radii, max);
+        maker_write_vector(m, "min", min);
+        fprintf(m->file, "\"max\": [%.17g, %.17g, %.17g] }", max[0], max[1], max[2]);
+        return;
+    }
+    maker_write_vector(m, "center", center);
+    if (shape == 1) {
+        fprintf(m->file, "\"radius\": %.17g }", radii[0]);
+        return;
+    }
+    double first[3], second[3], third[3];
+    maker_direction(m, first);
+    maker_direction(m, second);
+    vector_cross(first, second, third);
+    vector_cross(third, first, second);
+    maker_write_vector(m, "radii", radii);
+    fprintf(m->file, "\"axes\": [[%.17g, %.17g, %.17g], [%.17g, %.17g, %.17g], [%.17g, %.17g, %.17g]] }", first[0], first[1],
+            first[2], second[0], second[1], second[2], third[0], third[1], third[2]);
+}
+
+static void write_media(scene_maker *m)
+{
+    int count = 1 + (int)maker_between(m, 0, 6);
+    if (maker_chance(m, 0.4)) write_fog(m);
+    fputs(",\n  \"media\": [", m->file);
+    for (int i = 0; i < count; i++)
+        write_medium(m, i == 0);
+    fputs(" ]", m->file);
+}
+
 char *random_scene_text(uint64_t seed)
 {
     char *text = NULL;
@@ -262,6 +312,7 @@ char *random_scene_text(uint64_t seed)
     else
         write_depths(&m);
     if (is_fog_seed(seed)) write_fog(&m);
+    if (is_media_seed(seed)) write_media(&m);
     write_sources(&m, kind);
     if (maker_chance(&m, 0.5)) write_opaque(&m);
     fputs("\n}\n", m.file);

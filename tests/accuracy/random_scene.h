@@ -10,7 +10,7 @@
 #include <stdint.h>
 
 /* Seeds from this one on are of scenes of the world integral; from twice of it on, of the papers' in fog; from three times of
- * it on, of the world's in fog. */
+ * it on, of the world's in fog; and from four and five times of it on, of the two among media, some of them in fog. */
 #define RANDOM_WORLD_SEED 1000000000000u
 
 /* What a scene consists of, in either integral: a single source of one of the kinds, in their order, or a combination. */
@@ -39,7 +39,9 @@ int random_scene_kind_of(uint64_t seed);
  * some of them sharpness; the far plane may be in the midst of the light.
  *
  * Fog has 1e-6 to 1e3 optical depths from the eye to the place, most of it 0.01 to 10. Half of it changes with height, in any
- * direction, by a factor of e in 1e-2 D to 10 D. */
+ * direction, by a factor of e in 1e-2 D to 10 D.
+ *
+ * Media are one to six bodies of 1e-2 D to 3 D around the place or the eye, overlapping or not, of as many optical depths. */
 char *random_scene_text(uint64_t seed);
 
 #endif

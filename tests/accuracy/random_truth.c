@@ -44,7 +44,7 @@ static void compute_truth(reference_workspace *workspace, const scene_rays *rays
         pixel->truth = sum.luminance;
         largest = fmax(largest, pixel->truth);
     }
-    double floor = fmax(DARK * largest, rays->fog.extinction > 0 ? TRUTH_INVISIBLE : 0);
+    double floor = fmax(DARK * largest, rays->fog.extinction > 0 || rays->medium_count > 0 ? TRUTH_INVISIBLE : 0);
     picture->worst = &picture->pixels[0];
     for (int i = 0; i < RANDOM_PIXEL_COUNT; i++) {
         random_pixel *pixel = &picture->pixels[i];

@@ -37,6 +37,11 @@ bool scene_rays_create(const demo_scene *scene, int width, int height, scene_ray
         return false;
     }
     change_sources(&rays->sources, subtract_eye, NULL, eye);
+    for (rays->medium_count = 0; rays->medium_count < scene->medium_count; rays->medium_count++) {
+        ew_medium *medium = &rays->media[rays->medium_count];
+        *medium = scene->media[rays->medium_count];
+        vector_subtract(medium->center, eye, medium->center);
+    }
     for (size_t i = 0; i < rays->mesh.vertex_count; i++)
         vector_subtract(rays->mesh.vertices[i].position, eye, rays->mesh.vertices[i].position);
     return true;
@@ -86,6 +91,50 @@ static reference_fog fog_of(const scene_rays *rays, const reference_ray *ray, do
     return fog;
 }
 
+/* The part of a ray, start + s step, that is in a body: as what is left of the whole line by the slabs of a box, or by the ball
+ * that an ellipsoid is in its own space. Cramer's rule brings places there. */
+static bool meets_body(const ew_medium *medium, const double start[3], const double step[3], double *from, double *to)
+{
+    double place[3], along[3], from_center[3], square = 0, product = 0, rest = -1;
+    vector_subtract(start, medium->center, from_center);
+    *from = -HUGE_VAL;
+    *to = HUGE_VAL;
+    for (int i = 0; i < 3; i++) {
+        double across[3];
+        vector_cross(medium->half_axes[(i + 1) % 3], medium->half_axes[(i + 2) % 3], across);
+        double volume = vector_dot(medium->half_axes[i], across);
+        place[i] = vector_dot(from_center, across) / volume;
+        along[i] = vector_dot(step, across) / volume;
+        square += along[i] * along[i];
+        product += place[i] * along[i];
+        rest += place[i] * place[i];
+        if (medium->shape != EW_MEDIUM_BOX) continue;
+        if (along[i] == 0 && fabs(place[i]) > 1) return false;
+        if (along[i] == 0) continue;
+        *from = fmax(*from, fmin((-1 - place[i]) / along[i], (1 - place[i]) / along[i]));
+        *to = fmin(*to, fmax((-1 - place[i]) / along[i], (1 - place[i]) / along[i]));
+    }
+    double discriminant = product * product - square * rest;
+    if (medium->shape == EW_MEDIUM_ELLIPSOID) {
+        if (discriminant <= 0) return false;
+        *from = (-product - sqrt(discriminant)) / square;
+        *to = (-product + sqrt(discriminant)) / square;
+    }
+    return *from < *to;
+}
+
+static void find_bodies(const scene_rays *rays, reference_ray *ray)
+{
+    double step[3];
+    reference_fog *fog = &ray->fog;
+    vector_subtract(ray->end, ray->start, step);
+    for (size_t i = 0; i < rays->medium_count; i++) {
+        reference_body *body = &fog->bodies[fog->body_count];
+        *body = (reference_body){.extinction = rays->media[i].extinction};
+        if (meets_body(&rays->media[i], ray->start, step, &body->from, &body->to)) fog->body_count++;
+    }
+}
+
 /* A ray of the world integral begins at the eye or, of an orthographic camera, at the near plane, and its s is the view depth
  * from there on. */
 reference_ray scene_rays_ray(const scene_rays *rays, double x, double y, double opaque_depth)
@@ -107,6 +156,7 @@ reference_ray scene_rays_ray(const scene_rays *rays, double x, double y, double 
     vector_add_scaled(origin, start, direction, ray.start);
     vector_add_scaled(origin, end, direction, ray.end);
     ray.fog = fog_of(rays, &ray, rays->camera.orthographic ? rays->camera.near_depth : 0, start, end);
+    find_bodies(rays, &ray);
     return ray;
 }
 

@@ -20,6 +20,8 @@ typedef struct scene_rays {
     double decay_alpha, decay_beta;
     double core_pixels;
     ew_fog fog;
+    ew_medium media[EW_MAX_MEDIA]; /* relative to the eye */
+    size_t medium_count;
     int width, height;
     ew_sources_desc sources; /* relative to the eye */
     opaque_mesh mesh;        /* the scene's opaque triangles, relative to the eye */

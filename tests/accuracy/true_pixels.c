@@ -45,7 +45,7 @@ bool true_pixels_compute(const scene_rays *rays, const drawn_picture *picture, s
 {
     if (!choose_pixels(rays, picture, count, truth)) return false;
     truth->dark = TRUTH_DARK;
-    truth->darkest = rays->fog.extinction > 0 ? TRUTH_INVISIBLE : 0;
+    truth->darkest = rays->fog.extinction > 0 || rays->medium_count > 0 ? TRUTH_INVISIBLE : 0;
     if (compute_truth(rays, picture, threads, truth, 0)) return true;
     true_pixels_free(truth);
     return false;

@@ -37,8 +37,8 @@ static unsigned key_of(const peer_sampled *peer, ew_output output)
     ew_frame_desc frame = peer->frame;
     frame.output = output;
     const ew_mix mix = ew_sources_mix(&peer->sources);
-    unsigned key = ew_permutation_with_depth(ew_permutation_of(&mix, &frame),
-                                             frame.depth_texture ? EW_DEPTH_KIND_SINGLE : EW_DEPTH_KIND_NONE);
+    ew_key key = ew_permutation_with_depth(ew_permutation_of(&mix, &frame),
+                                           frame.depth_texture ? EW_DEPTH_KIND_SINGLE : EW_DEPTH_KIND_NONE);
     return peer->plan.lists ? ew_permutation_with_lists(key) : key;
 }
 

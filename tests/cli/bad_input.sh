@@ -149,6 +149,12 @@ refuses_world 'fog\.extinction' '"fog": { "extinction": -1 }'
 refuses_world 'fog\.extinction' '"fog": { "height": { "scale": 1 } }'
 refuses_world 'fog\.height\.scale' '"fog": { "extinction": 1, "height": { "base": 0 } }'
 refuses_world 'fog\.height\.up' '"fog": { "extinction": 1, "height": { "scale": 1, "up": [0, 0, 0] } }'
+ball='"shape": "sphere", "center": [0, 0, 0], "radius": 1'
+refuses_world 'media\[0\]\.extinction' "\"media\": [{ $ball, \"extinction\": -1 }]"
+refuses_world 'media\[0\]\.extinction' "\"media\": [{ $ball }]"
+refuses_world 'media\[0\]\.albedo' "\"media\": [{ $ball, \"extinction\": 1, \"albedo\": 2 }]"
+refuses_world 'media\[0\]\.shape' '"media": [{ "shape": "cone", "extinction": 1 }]'
+refuses_world 'media\[0\]\.max' '"media": [{ "shape": "box", "min": [0, 0, 0], "max": [1, 1, 0], "extinction": 1 }]'
 refuses_world 'points\[0\]\.reach' "\"points\": [{ $point }]"
 refuses_world 'points\[1\]\.reach' "\"points\": [{ $point, \"reach\": 1 }, { $point, \"brightness\": 1 }]"
 refuses_world 'points\[0\]\.reach' "\"points\": [{ $point, \"core\": 2, \"reach\": 2 }]"

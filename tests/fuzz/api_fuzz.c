@@ -79,7 +79,7 @@ static const shader_mix mixes[] = {
 };
 enum { MIX_COUNT = sizeof mixes / sizeof mixes[0] };
 
-/* Of every so many cases one is in fog. */
+/* Of every so many cases one is in fog, or among media. */
 static const shader_mix fog_mixes[] = {
     {.count_of_each = 1, .weighted = true, .has_fog = true, .output = EW_OUTPUT_LUMINANCE},
     {.count_of_each = 5,
@@ -90,6 +90,14 @@ static const shader_mix fog_mixes[] = {
      .has_fog = true,
      .output = EW_OUTPUT_SOFT,
      .depth = DEPTH_TEXTURE},
+    {.count_of_each = 1,
+     .field = FIELD_WORLD,
+     .weighted = true,
+     .has_fog = true,
+     .has_media = true,
+     .output = EW_OUTPUT_LERP,
+     .depth = DEPTH_FRAMEBUFFER},
+    {.count_of_each = 1, .has_media = true, .output = EW_OUTPUT_SOFT, .depth = DEPTH_MULTISAMPLE, .dither = true},
 };
 enum { FOG_MIX_COUNT = sizeof fog_mixes / sizeof fog_mixes[0], FOG_INTERVAL = 8 };
 

@@ -149,6 +149,30 @@ static void random_fog(const random_place *at, ew_fog *fog)
         fog->up[i] = random_between(random, -1, 1);
 }
 
+static void random_medium(const random_place *at, ew_medium *medium)
+{
+    uint64_t *random = at->random;
+    double length = at->end - at->start,
+           size = length * (at->extreme ? random_power_of_ten(random, -9, 3) : random_power_of_ten(random, -2, 0));
+    medium->shape = random_chance(random, 0.5) ? EW_MEDIUM_BOX : EW_MEDIUM_ELLIPSOID;
+    for (int i = 0; i < 3; i++) {
+        medium->center[i] = at->eye[i] + length * random_between(random, -1, 1);
+        medium->ambient[i] = at->extreme ? random_power_of_ten(random, -6, 4) : random_between(random, 0, 1);
+        for (int k = 0; k < 3; k++)
+            medium->half_axes[i][k] = size * ((i == k) + random_between(random, -0.2, 0.2));
+    }
+    medium->extinction = at->extreme ? random_power_of_ten(random, -9, 12) : random_power_of_ten(random, -2, 1) / size;
+    medium->albedo = random_between(random, 0, 1);
+}
+
+static void random_media(const random_place *at, random_desc *desc)
+{
+    desc->frame.medium_count = random_index(at->random, EW_MAX_MEDIA + 1);
+    desc->frame.media = desc->media;
+    for (size_t i = 0; i < desc->frame.medium_count; i++)
+        random_medium(at, &desc->media[i]);
+}
+
 bool random_desc_make(random_desc *desc, const shader_mix *mix, bool extreme, int width, int height, uint64_t *random)
 {
     random_place at = {.random = random, .extreme = extreme};
@@ -168,6 +192,7 @@ bool random_desc_make(random_desc *desc, const shader_mix *mix, bool extreme, in
     frame->exposure = extreme ? random_power_of_ten(random, -6, 6) : 1;
     if (mix->lights_surfaces) random_surface_light(&at, mix->has_shadows, frame);
     if (mix->has_fog) random_fog(&at, &frame->fog);
+    if (mix->has_media) random_media(&at, desc);
     frame->integrator = mix->integrator;
     frame->quality = (ew_quality)random_index(random, 3);
     frame->simpson_divisions = 2 * (int)random_power_of_ten(random, 0, 2);

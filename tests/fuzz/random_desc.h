@@ -26,6 +26,7 @@ typedef struct shader_mix {
     bool lights_surfaces;
     bool has_shadows;
     bool has_fog;
+    bool has_media;
     ew_integrator integrator;
     ew_output output;
     target_depth depth;
@@ -45,6 +46,7 @@ typedef struct random_desc {
     void *lists[SOURCE_KIND_COUNT]; /* room for MAX_KIND sources of each kind; `sources` points there */
     double weights[SOURCE_KIND_COUNT][MAX_KIND][MAX_RANDOM_WEIGHTS];
     double points[SOURCE_KIND_COUNT][MAX_KIND][MAX_RANDOM_POINTS][3];
+    ew_medium media[EW_MAX_MEDIA];
 } random_desc;
 
 /* The ordinary are what a host would ask for, at a scale of 1. The extreme go to the ends of the ranges that energywave.h

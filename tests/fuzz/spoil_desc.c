@@ -62,7 +62,12 @@ static size_t frame_runs(random_desc *desc, number_run runs[MAX_RUNS])
     runs[12] = (number_run){frame->fog.up, 3};
     runs[13] = (number_run){&frame->fog.base, 1};
     runs[14] = (number_run){&frame->fog.scale, 1};
-    return 15;
+    runs[15] = (number_run){desc->media[0].center, 3};
+    runs[16] = (number_run){desc->media[0].half_axes[0], 9};
+    runs[17] = (number_run){&desc->media[0].extinction, 1};
+    runs[18] = (number_run){&desc->media[0].albedo, 1};
+    runs[19] = (number_run){desc->media[0].ambient, 3};
+    return 20;
 }
 
 static void spoil_one(const number_run *runs, size_t count, uint64_t *random)

@@ -336,6 +336,50 @@ static void a_hosts_shader_has_the_fog_of_ew_draw(void **state)
     ew_destroy_effect(effect);
 }
 
+/* In clear air and in fog by height, in the world integral and in the papers'. */
+static void a_hosts_shader_has_the_media_of_ew_draw(void **state)
+{
+    (void)state;
+    const double *at = far_away;
+    const ew_medium media[] = {{.center = {at[0] - 0.5, at[1], at[2]},
+                                .half_axes = {{1, 0, 0}, {0, 1.5, 0.3}, {0, -0.3, 0.5}},
+                                .extinction = 0.7,
+                                .albedo = 0.5,
+                                .ambient = {0.2, 0.4, 0.6}},
+                               {.shape = EW_MEDIUM_ELLIPSOID,
+                                .center = {at[0] + 0.5, at[1], at[2] + 0.5},
+                                .half_axes = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
+                                .extinction = 1.2,
+                                .albedo = 0.8,
+                                .ambient = {0.5, 0.3, 0.1}}};
+    ew_effect *effect = create_effect();
+    for (int i = 0; i < 4; i++) {
+        ew_frame_desc frame = i < 2 ? make_world_frame(EW_OUTPUT_LERP) : make_turned_frame(EW_OUTPUT_LERP);
+        frame.media = media;
+        frame.medium_count = 2;
+        if (i % 2 == 1) frame.fog = (ew_fog){.extinction = 0.3, .up = {0, 2, 0}, .base = far_away[1], .scale = 2};
+        set_world_field(effect);
+        /* Over black: the media's light pales by B, as the composite says. */
+        const char *light = i < 2 ? "vec4 light = ew_light(vec3(0.0), direction, 1e30);\n"
+                                  : "vec4 light = ew_light(vec3(0.0), direction, vec2(2.0, 10.0), 1e30);\n";
+        char main_text[400];
+        snprintf(main_text, sizeof main_text,
+                 "void main() {\n%svec4 media = ew_media_light(vec3(0.0), direction, 1e30);\n"
+                 "color = vec4(light.rgb + max(1.0 - light.a, 0.0) * media.rgb, 1.0); }\n",
+                 light);
+        GLuint program = build_for_frame(effect, NULL, &frame, main_text);
+        picture drawn, expected, clear;
+        host_draw(program, effect, &frame, &drawn);
+        gl.DeleteProgram(program);
+        draw_expected(effect, &frame, &expected);
+        expect_same_world(&drawn, &expected, 3);
+        frame.medium_count = 0;
+        draw_expected(effect, &frame, &clear);
+        assert_true(picture_difference(&expected, &clear) > 0.3);
+    }
+    ew_destroy_effect(effect);
+}
+
 /* With distances along unit vectors, from elsewhere on the ray, and in two parts. */
 static void world_rays_may_start_anywhere_and_be_of_any_length(void **state)
 {
@@ -481,6 +525,7 @@ int main(int argc, char **argv)
         cmocka_unit_test(rays_may_start_anywhere_and_end_at_what_is_opaque),
         cmocka_unit_test(a_hosts_shader_has_the_world_light_of_ew_draw),
         cmocka_unit_test(a_hosts_shader_has_the_fog_of_ew_draw),
+        cmocka_unit_test(a_hosts_shader_has_the_media_of_ew_draw),
         cmocka_unit_test(world_rays_may_start_anywhere_and_be_of_any_length),
         cmocka_unit_test(the_buffer_keeps_its_name_and_the_host_its_binding),
         cmocka_unit_test(bad_arguments_are_errors_that_change_nothing),

@@ -17,11 +17,15 @@ typedef struct shader_profile {
     const char *include_version; /* of the shaders that have the text for hosts; NULL for none of these */
 } shader_profile;
 
-static void write_strings(const char *profile, const char *role, unsigned key, const char *stage, const char *const *strings,
+static void write_strings(const char *profile, const char *role, ew_key key, const char *stage, const char *const *strings,
                           int count)
 {
     char path[4096];
-    snprintf(path, sizeof path, "%s/%s-%s%08x.%s", folder, profile, role, key, stage);
+    if (count > EW_SHADER_MAX_STRINGS) {
+        fprintf(stderr, "%s%09llx takes %d strings\n", role, (unsigned long long)key, count);
+        exit(EXIT_FAILURE);
+    }
+    snprintf(path, sizeof path, "%s/%s-%s%09llx.%s", folder, profile, role, (unsigned long long)key, stage);
     FILE *file = fopen(path, "w");
     for (int i = 0; file && i < count; ++i)
         fputs(strings[i], file);
@@ -68,7 +72,7 @@ static bool takes_bends(unsigned kinds)
 }
 
 /* The key of a set of kinds, a set of bits. Counts are few (a literal) and many in turn, the first of them `first`. */
-static unsigned with_kinds(unsigned key, unsigned kinds, size_t first)
+static ew_key with_kinds(ew_key key, unsigned kinds, size_t first)
 {
     size_t count = first;
     for (int kind = 0; kind < EW_KIND_COUNT; ++kind) {
@@ -81,29 +85,34 @@ static unsigned with_kinds(unsigned key, unsigned kinds, size_t first)
 
 /* ---- Shaders of the library ---- */
 
-static const char *const pass_names[EW_PASS_COUNT] = {[EW_PASS_WAVE] = "",        [EW_PASS_SURFACES] = "surfaces-",
-                                                      [EW_PASS_NODES] = "nodes-", [EW_PASS_FIELD] = "field-",
-                                                      [EW_PASS_PEAK] = "peak-",   [EW_PASS_CLASSES] = "classes-",
-                                                      [EW_PASS_CELLS] = "cells-", [EW_PASS_INTERPOLATION] = "interpolation-"};
+static const char *const pass_names[EW_PASS_COUNT] = {[EW_PASS_WAVE] = "",
+                                                      [EW_PASS_SURFACES] = "surfaces-",
+                                                      [EW_PASS_MEDIA] = "media-",
+                                                      [EW_PASS_NODES] = "nodes-",
+                                                      [EW_PASS_FIELD] = "field-",
+                                                      [EW_PASS_PEAK] = "peak-",
+                                                      [EW_PASS_CLASSES] = "classes-",
+                                                      [EW_PASS_CELLS] = "cells-",
+                                                      [EW_PASS_INTERPOLATION] = "interpolation-"};
 
-static void write_pass(const shader_profile *profile, ew_pass pass, unsigned key)
+static void write_pass(const shader_profile *profile, ew_pass pass, ew_key key)
 {
     ew_shader_text text;
-    unsigned pass_key = ew_permutation_of_pass(pass, key);
+    ew_key pass_key = ew_permutation_of_pass(pass, key);
     ew_write_fragment_shader(&text, &profile->dialect, pass, pass_key);
     write_strings(profile->name, pass_names[pass], pass_key, "frag", text.strings, text.count);
     ew_write_vertex_shader(&text, &profile->dialect, pass, pass_key);
     write_strings(profile->name, pass_names[pass], pass_key, "vert", text.strings, text.count);
 }
 
-static void write_fragment_shader(const shader_profile *profile, unsigned key)
+static void write_fragment_shader(const shader_profile *profile, ew_key key)
 {
     ew_shader_text text;
     ew_write_fragment_shader(&text, &profile->dialect, EW_PASS_WAVE, key);
     write_strings(profile->name, "", key, "frag", text.strings, text.count);
 }
 
-static void write_permutation(const shader_profile *profile, unsigned key)
+static void write_permutation(const shader_profile *profile, ew_key key)
 {
     ew_shader_text text;
     write_fragment_shader(profile, key);
@@ -117,7 +126,7 @@ static void write_integrals(const shader_profile *profile, unsigned kinds, size_
     const unsigned flags[] = {EW_PERMUTATION_WEIGHTS, EW_PERMUTATION_SIMPSON, EW_PERMUTATION_CORE_PIXELS, EW_PERMUTATION_JOINTS,
                               EW_PERMUTATION_BENDS};
     for (unsigned set = 0; set < 32; ++set) {
-        unsigned key = 0;
+        ew_key key = 0;
         for (int i = 0; i < 5; ++i)
             if (set & 1u << i) key |= flags[i];
         /* What is bent has joints, and of all kinds at once the most general path will do. */
@@ -126,7 +135,7 @@ static void write_integrals(const shader_profile *profile, unsigned kinds, size_
         if (key & EW_PERMUTATION_WEIGHTS && !takes_weights(kinds)) continue;
         if (key & EW_PERMUTATION_JOINTS && !takes_bends(kinds)) continue;
         for (int field = 0; field < FIELD_COUNT; ++field) {
-            unsigned exact = with_kinds(key | fields[field], kinds, first_count);
+            ew_key exact = with_kinds(key | fields[field], kinds, first_count);
             bool has_lists = first_count == EW_ANY_COUNT && !(key & EW_PERMUTATION_SIMPSON);
             write_permutation(profile, has_lists ? ew_permutation_with_lists(exact) : exact);
         }
@@ -147,7 +156,7 @@ static void write_all_integrals(const shader_profile *profile)
 }
 
 /* The passes of adaptive resolution. */
-static void write_grid_passes(const shader_profile *profile, unsigned key)
+static void write_grid_passes(const shader_profile *profile, ew_key key)
 {
     if (key & EW_PERMUTATION_EVALUATIONS) return;
     for (int pass = 0; pass < EW_PASS_COUNT; ++pass)
@@ -169,8 +178,8 @@ static void write_surfaces(const shader_profile *profile)
 {
     const unsigned shaded = EW_PERMUTATION_SHADOWS | EW_PERMUTATION_NORMALS;
     for (size_t i = 0; i < sizeof emitters / sizeof emitters[0]; ++i) {
-        const unsigned key = emitters[i] | EW_PERMUTATION_DEPTH;
-        const unsigned many = with_kinds(ew_permutation_with_lists(key), all_kinds, EW_ANY_COUNT);
+        const ew_key key = emitters[i] | EW_PERMUTATION_DEPTH;
+        const ew_key many = with_kinds(ew_permutation_with_lists(key), all_kinds, EW_ANY_COUNT);
         for (int kind = 0; kind < EW_KIND_COUNT; ++kind)
             write_pass(profile, EW_PASS_SURFACES, ew_permutation_with_count(key | (kind % 2 ? shaded : 0), kind, 1));
         write_pass(profile, EW_PASS_SURFACES, many | shaded);
@@ -195,11 +204,11 @@ static void write_passes(const shader_profile *profile)
     for (size_t depth = 0; depth < sizeof depths / sizeof depths[0]; ++depth)
         for (size_t output = 0; output < sizeof outputs / sizeof outputs[0]; ++output)
             for (int field = 0; field < FIELD_COUNT; ++field) {
-                unsigned key = depths[depth] | outputs[output] | fields[field];
+                ew_key key = depths[depth] | outputs[output] | fields[field];
                 write_fragment_shader(profile, key);
                 write_grid_passes(profile, key);
                 key |= EW_PERMUTATION_WEIGHTS | EW_PERMUTATION_JOINTS | EW_PERMUTATION_BENDS | EW_PERMUTATION_CORE_PIXELS;
-                unsigned general = ew_permutation_with_lists(with_kinds(key, all_kinds, EW_ANY_COUNT));
+                ew_key general = ew_permutation_with_lists(with_kinds(key, all_kinds, EW_ANY_COUNT));
                 write_fragment_shader(profile, general);
                 write_grid_passes(profile, general);
                 if (outputs[output] == 0) write_grid_passes(profile, general | EW_PERMUTATION_SOURCE_TEXTURE);
@@ -207,30 +216,45 @@ static void write_passes(const shader_profile *profile)
             }
 }
 
-/* The kinds one by one and all at once, with and without all that they may have, in both kinds of fog. */
+/* The kinds one by one and all at once, with and without all that they may have, in both kinds of fog and among media. */
 static void write_fogs(const shader_profile *profile)
 {
-    static const unsigned fogs[] = {EW_PERMUTATION_FOG, EW_PERMUTATION_FOG | EW_PERMUTATION_FOG_HEIGHT};
-    for (int fog = 0; fog < 2; ++fog)
+    static const unsigned fogs[] = {EW_PERMUTATION_FOG, EW_PERMUTATION_FOG | EW_PERMUTATION_FOG_HEIGHT,
+                                    EW_PERMUTATION_FOG | EW_PERMUTATION_MEDIA,
+                                    EW_PERMUTATION_FOG | EW_PERMUTATION_FOG_HEIGHT | EW_PERMUTATION_MEDIA};
+    for (int fog = 0; fog < 4; ++fog)
         for (int field = 0; field < FIELD_COUNT; ++field) {
-            unsigned plain = fogs[fog] | fields[field];
-            unsigned general = plain | EW_PERMUTATION_WEIGHTS | EW_PERMUTATION_JOINTS | EW_PERMUTATION_CORE_PIXELS;
+            ew_key plain = fogs[fog] | fields[field];
+            ew_key general = plain | EW_PERMUTATION_WEIGHTS | EW_PERMUTATION_JOINTS | EW_PERMUTATION_CORE_PIXELS;
             for (int kind = 0; kind < EW_KIND_COUNT; ++kind) {
                 write_permutation(profile, with_kinds(plain, 1u << kind, 1));
                 write_permutation(profile, with_kinds(general, 1u << kind, 1));
             }
             general |= EW_PERMUTATION_BENDS;
-            unsigned with_lists = ew_permutation_with_lists(with_kinds(general, all_kinds, EW_ANY_COUNT));
+            ew_key with_lists = ew_permutation_with_lists(with_kinds(general, all_kinds, EW_ANY_COUNT));
             write_permutation(profile, with_lists);
             write_grid_passes(profile, with_lists);
             write_permutation(profile, with_kinds(general | EW_PERMUTATION_SIMPSON, all_kinds, 1));
         }
 }
 
+/* The media themselves, in both kinds of fog. */
+static void write_media(const shader_profile *profile)
+{
+    static const unsigned extras[] = {0, EW_PERMUTATION_DITHER, EW_PERMUTATION_DEPTH,
+                                      EW_PERMUTATION_DEPTH | EW_PERMUTATION_DEPTH_MULTISAMPLE | EW_PERMUTATION_DITHER |
+                                          EW_PERMUTATION_DITHER_SRGB};
+    const unsigned key = EW_PERMUTATION_WORLD | EW_PERMUTATION_FOG | EW_PERMUTATION_MEDIA;
+    for (size_t i = 0; i < sizeof extras / sizeof extras[0]; ++i) {
+        write_pass(profile, EW_PASS_MEDIA, key | extras[i]);
+        write_pass(profile, EW_PASS_MEDIA, key | EW_PERMUTATION_FOG_HEIGHT | extras[i]);
+    }
+}
+
 /* ---- The text for hosts ---- */
 
 /* As the only thing in a shader that uses it. */
-static void write_include(const shader_profile *profile, unsigned key)
+static void write_include(const shader_profile *profile, ew_key key)
 {
     const char *interval = key & EW_PERMUTATION_WORLD ? "" : "vec2(0.0, 1.0), ";
     ew_shader_text text;
@@ -249,6 +273,7 @@ static void write_include(const shader_profile *profile, unsigned key)
         key & EW_PERMUTATION_IRRADIANCE
             ? "color.rgb += ew_irradiance(vec3(0.0), vec3(1.0)) + ew_specular(vec3(0.0), vec3(1.0), vec3(1.0), 0.5);\n"
             : "",
+        key & EW_PERMUTATION_MEDIA ? "color += ew_media_light(vec3(0.0), vec3(1.0), 1.0);\n" : "",
         "}\n"};
     write_strings(profile->name, "include-", key, "frag", strings, sizeof strings / sizeof strings[0]);
     free(joined);
@@ -260,7 +285,7 @@ static void write_includes(const shader_profile *profile)
     const unsigned extras = EW_PERMUTATION_WEIGHTS | EW_PERMUTATION_JOINTS | EW_PERMUTATION_BENDS | EW_PERMUTATION_CORE_PIXELS;
     for (unsigned simpson = 0; simpson <= EW_PERMUTATION_SIMPSON; simpson += EW_PERMUTATION_SIMPSON)
         for (int field = 0; field < FIELD_COUNT; ++field) {
-            unsigned flags = simpson | fields[field];
+            ew_key flags = simpson | fields[field];
             write_include(profile, flags);
             for (int kind = 0; kind < EW_KIND_COUNT; ++kind) {
                 write_include(profile, ew_permutation_with_count(flags, kind, (size_t)kind % 2 + 1));
@@ -271,6 +296,9 @@ static void write_includes(const shader_profile *profile)
                 write_include(profile, with_kinds(flags | extras | lit, all_kinds, EW_ANY_COUNT));
             const unsigned fog = EW_PERMUTATION_FOG | EW_PERMUTATION_FOG_HEIGHT;
             write_include(profile, with_kinds(flags | extras | fog, all_kinds, EW_ANY_COUNT));
+            write_include(profile,
+                          with_kinds(flags | extras | EW_PERMUTATION_FOG | EW_PERMUTATION_MEDIA, all_kinds, EW_ANY_COUNT));
+            write_include(profile, with_kinds(flags | extras | fog | EW_PERMUTATION_MEDIA, all_kinds, EW_ANY_COUNT));
         }
 }
 
@@ -295,6 +323,7 @@ int main(int argc, char **argv)
         write_passes(&profiles[i]);
         write_surfaces(&profiles[i]);
         write_fogs(&profiles[i]);
+        write_media(&profiles[i]);
         if (profiles[i].include_version) write_includes(&profiles[i]);
     }
     return EXIT_SUCCESS;

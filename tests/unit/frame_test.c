@@ -51,6 +51,7 @@ static void the_defaults_are_those_of_their_members(void **state)
     assert_true(frame.light_gain == 1 && frame.light_reach == 0 && frame.shadow_thickness == 0);
     assert_true(frame.fog.extinction == 0 && frame.fog.base == 0 && frame.fog.scale == 0);
     assert_true(frame.fog.up[0] == 0 && frame.fog.up[1] == 1 && frame.fog.up[2] == 0);
+    assert_true(frame.media == NULL && frame.medium_count == 0);
     assert_int_equal(frame.integrator, EW_INTEGRATOR_ADAPTIVE);
     assert_int_equal(frame.quality, EW_QUALITY_ERROR_1E_3);
     assert_int_equal(frame.simpson_divisions, 200);
@@ -451,6 +452,68 @@ static void fog_by_height_needs_a_direction_up(void **state)
     expect_taken(&frame);
 }
 
+static ew_medium good_medium(void)
+{
+    return (ew_medium){.half_axes = {{1, 0, 0}, {0, 2, 0}, {0, 0, 3}}, .extinction = 1, .albedo = 0.5, .ambient = {1, 1, 1}};
+}
+
+static void numbers_of_media_that_are_none_are_refused(void **state)
+{
+    (void)state;
+    ew_frame_desc frame = good_frame();
+    ew_medium media[2] = {good_medium(), good_medium()}, *medium = &media[1];
+    frame.media = media;
+    frame.medium_count = 2;
+    expect_taken(&frame);
+    struct {
+        double *number;
+        const char *name;
+        double most; /* HUGE_VAL for none */
+        bool is_not_negative;
+    } numbers[] = {{&medium->center[2], "media[1].center", HUGE_VAL, false},
+                   {&medium->half_axes[1][0], "media[1].half_axes", HUGE_VAL, false},
+                   {&medium->extinction, "media[1].extinction", 1e12, true},
+                   {&medium->albedo, "media[1].albedo", 1, true},
+                   {&medium->ambient[2], "media[1].ambient", 65504, true}};
+    for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; ++i) {
+        const double bad[] = {(double)NAN, (double)INFINITY, -1e-300, 1.01 * numbers[i].most};
+        double good = *numbers[i].number;
+        for (int j = 0; j < 4; ++j) {
+            *numbers[i].number = bad[j];
+            bool is_fine = isfinite(bad[j]) && !numbers[i].is_not_negative;
+            if (!is_fine) expect_refused(&frame, numbers[i].name);
+        }
+        *numbers[i].number = good;
+    }
+    expect_taken(&frame);
+}
+
+static void media_without_volume_or_more_than_there_is_room_for_are_refused(void **state)
+{
+    (void)state;
+    ew_frame_desc frame = good_frame();
+    ew_medium media[EW_MAX_MEDIA + 1];
+    for (int i = 0; i <= EW_MAX_MEDIA; ++i)
+        media[i] = good_medium();
+    frame.media = media;
+    frame.medium_count = EW_MAX_MEDIA;
+    expect_taken(&frame);
+    frame.medium_count = EW_MAX_MEDIA + 1;
+    expect_refused(&frame, "medium_count");
+    frame.media = NULL;
+    frame.medium_count = 1;
+    expect_refused(&frame, "media");
+    frame.media = media;
+    media[0].half_axes[2][2] = 0;
+    expect_refused(&frame, "media[0].half_axes");
+    media[0].half_axes[2][0] = 5; /* along the first axis */
+    expect_refused(&frame, "media[0].half_axes");
+    media[0].half_axes[2][2] = 1e-3;
+    expect_taken(&frame);
+    media[0].shape = (ew_medium_shape)2;
+    expect_refused(&frame, "media[0].shape");
+}
+
 static void numbers_of_divisions_that_simpson_cannot_take_are_refused(void **state)
 {
     (void)state;
@@ -545,6 +608,8 @@ int main(void)
         cmocka_unit_test(surfaces_without_depth_or_reach_are_refused),
         cmocka_unit_test(fog_out_of_range_is_refused),
         cmocka_unit_test(fog_by_height_needs_a_direction_up),
+        cmocka_unit_test(numbers_of_media_that_are_none_are_refused),
+        cmocka_unit_test(media_without_volume_or_more_than_there_is_room_for_are_refused),
         cmocka_unit_test(numbers_of_divisions_that_simpson_cannot_take_are_refused),
         cmocka_unit_test(values_outside_an_enumeration_are_refused),
         cmocka_unit_test(a_viewport_without_pixels_is_refused),

@@ -13,7 +13,7 @@ static void one_source_is_exact_and_more_are_any(void **state)
         ew_mix mix = {0};
         for (int kind = 0; kind < EW_KIND_COUNT; ++kind)
             memcpy((char *)&mix + ew_kinds[kind]->mix_offset, &count, sizeof count);
-        unsigned key = ew_permutation_of(&mix, &defaults);
+        ew_key key = ew_permutation_of(&mix, &defaults);
         for (int kind = 0; kind < EW_KIND_COUNT; ++kind)
             assert_int_equal(ew_permutation_count(key, kind), count <= 1 ? count : EW_ANY_COUNT);
     }
@@ -53,7 +53,7 @@ static void a_general_shader_covers_what_it_is_general_for(void **state)
     (void)state;
     const ew_mix one_curve = {.curve_count = 1}, weighted = {.curve_count = 1, .has_weights = 1};
     const ew_mix any_curves = {.curve_count = EW_ANY_COUNT, .has_weights = 1}, any_points = {.point_count = EW_ANY_COUNT};
-    unsigned any = ew_permutation_of(&any_curves, &defaults), one = ew_permutation_of(&one_curve, &defaults);
+    ew_key any = ew_permutation_of(&any_curves, &defaults), one = ew_permutation_of(&one_curve, &defaults);
     assert_true(ew_permutation_covers(any, one));
     assert_true(ew_permutation_covers(any, ew_permutation_of(&weighted, &defaults)));
     assert_true(ew_permutation_covers(one, one));
@@ -68,12 +68,12 @@ static void with_reaches_the_same_shader_draws_any_count(void **state)
 {
     (void)state;
     const ew_mix beam = {.path_count = 1}, beams = {.path_count = 100};
-    const unsigned one = ew_permutation_of(&beam, &defaults), many = ew_permutation_of(&beams, &defaults);
+    const ew_key one = ew_permutation_of(&beam, &defaults), many = ew_permutation_of(&beams, &defaults);
     assert_true(one != many);
     assert_int_equal(ew_permutation_with_lists(one), ew_permutation_with_lists(many));
     assert_int_equal(ew_permutation_count(ew_permutation_with_lists(one), 0), 0);
     const ew_frame_desc papers = {.interval_start = 1, .interval_end = 2};
-    unsigned without_reach = ew_permutation_of(&beam, &papers);
+    ew_key without_reach = ew_permutation_of(&beam, &papers);
     assert_int_equal(ew_permutation_with_lists(without_reach), without_reach);
 }
 
@@ -82,7 +82,7 @@ static void the_world_integral_has_reaches_and_cores_as_wide_as_pixels(void **st
     (void)state;
     const ew_mix point = {.point_count = 1};
     ew_frame_desc frame = defaults;
-    unsigned world = ew_permutation_of(&point, &frame);
+    ew_key world = ew_permutation_of(&point, &frame);
     assert_true(world & EW_PERMUTATION_WORLD && world & EW_PERMUTATION_REACH && world & EW_PERMUTATION_CORE_PIXELS);
     frame.core_pixels = 0;
     assert_false(ew_permutation_of(&point, &frame) & EW_PERMUTATION_CORE_PIXELS);
@@ -102,16 +102,38 @@ static void fog_counts_only_where_there_is_some(void **state)
     const unsigned fogs = EW_PERMUTATION_FOG | EW_PERMUTATION_FOG_HEIGHT;
     ew_frame_desc frame = defaults;
     frame.fog.scale = 3;
-    unsigned clear = ew_permutation_of(&point, &frame);
+    ew_key clear = ew_permutation_of(&point, &frame);
     assert_int_equal(clear & fogs, 0);
     frame.fog.extinction = 0.1;
-    unsigned by_height = ew_permutation_of(&point, &frame);
+    ew_key by_height = ew_permutation_of(&point, &frame);
     assert_int_equal(by_height & fogs, fogs);
     frame.fog.scale = 0;
-    unsigned even = ew_permutation_of(&point, &frame);
+    ew_key even = ew_permutation_of(&point, &frame);
     assert_int_equal(even & fogs, EW_PERMUTATION_FOG);
     assert_false(ew_permutation_covers(even, clear) || ew_permutation_covers(clear, even));
     assert_false(ew_permutation_covers(even, by_height) || ew_permutation_covers(by_height, even));
+}
+
+static void media_are_seen_in_pictures_and_dim_all_that_is_measured(void **state)
+{
+    (void)state;
+    static const ew_output outputs[] = {EW_OUTPUT_LERP, EW_OUTPUT_LUMINANCE, EW_OUTPUT_EVALUATIONS};
+    const ew_mix point = {.point_count = 1};
+    const ew_medium medium = {.extinction = 0};
+    ew_frame_desc frame = defaults;
+    frame.media = &medium;
+    for (int i = 0; i < 3; ++i) {
+        frame.output = outputs[i];
+        frame.medium_count = 1;
+        const ew_key media = EW_PERMUTATION_FOG | EW_PERMUTATION_MEDIA;
+        assert_true((ew_permutation_of(&point, &frame) & media) == media);
+        frame.medium_count = 0;
+        assert_false(ew_permutation_of(&point, &frame) & media);
+    }
+    frame.output = EW_OUTPUT_SURFACES;
+    frame.light_reach = 1;
+    frame.medium_count = 1;
+    assert_false(ew_permutation_of(&point, &frame) & EW_PERMUTATION_MEDIA);
 }
 
 static void bends_count_only_where_there_are_paths(void **state)
@@ -131,7 +153,7 @@ static void shaders_with_and_without_reaches_do_not_cover_each_other(void **stat
     ew_frame_desc frame = defaults;
     frame.interval_start = 1;
     frame.interval_end = 2;
-    unsigned plain_key = ew_permutation_of(&plain, &frame), reaching_key = ew_permutation_of(&reaching, &frame);
+    ew_key plain_key = ew_permutation_of(&plain, &frame), reaching_key = ew_permutation_of(&reaching, &frame);
     assert_false(ew_permutation_covers(reaching_key, plain_key));
     assert_false(ew_permutation_covers(plain_key, reaching_key));
     assert_true(ew_permutation_covers(ew_permutation_of(&sharp, &frame), reaching_key));
@@ -148,6 +170,7 @@ int main(void)
         cmocka_unit_test(with_reaches_the_same_shader_draws_any_count),
         cmocka_unit_test(the_world_integral_has_reaches_and_cores_as_wide_as_pixels),
         cmocka_unit_test(fog_counts_only_where_there_is_some),
+        cmocka_unit_test(media_are_seen_in_pictures_and_dim_all_that_is_measured),
         cmocka_unit_test(bends_count_only_where_there_are_paths),
         cmocka_unit_test(shaders_with_and_without_reaches_do_not_cover_each_other),
     };

@@ -12,6 +12,9 @@
 #define PAPER(members) "{ " CAMERA ", " INTERVAL ", " members " }"
 #define WORLD(members) "{ " CAMERA ", " members " }"
 #define BEAM "\"points\": [[0, 0, 0], [1, 0, 0]]"
+#define BALL "\"shape\": \"sphere\", \"center\": [0, 0, 0]"
+#define BLOCK "\"shape\": \"box\", \"min\": [0, 0, 0]"
+#define EGG "\"shape\": \"ellipsoid\", \"center\": [0, 0, 0]"
 #define ARC "\"control_points\": [[0, 0, 0], [1, 1, 0], [2, 0, 0]]"
 
 static const char full_scene[] =
@@ -21,6 +24,11 @@ static const char full_scene[] =
     "  \"interval\": { \"start\": 3, \"end\": 15 }, \"decay\": { \"alpha\": 2, \"beta\": 0.5 }, \"epsilon\": 0.01,\n"
     "  \"core_pixels\": 2, \"exposure\": 3, \"light\": { \"gain\": 20, \"reach\": 8, \"shadow_thickness\": 0.5 },\n"
     "  \"fog\": { \"extinction\": 0.3, \"height\": { \"base\": -1, \"scale\": 4, \"up\": [0, 0, 2] } },\n"
+    "  \"media\": [{ \"shape\": \"box\", \"min\": [0, 1, 2], \"max\": [3, 5, 8], \"extinction\": 0.5 },\n"
+    "    { \"shape\": \"sphere\", \"center\": [1, 2, 3], \"radius\": 4, \"extinction\": 6, \"albedo\": 0.25, \"ambient\": [7, "
+    "8, 9] },\n"
+    "    { \"shape\": \"ellipsoid\", \"center\": [1, 2, 3], \"radii\": [4, 5, 6], \"axes\": [[0, 2, 0], [0, 0, -3], [1, 0, 0]],"
+    " \"extinction\": 7 }],\n"
     "  \"background\": [0.1, 0.2, 0.3], \"color\": [0.4, 0.5, 0.6], \"composite\": \"add\",\n"
     "  \"points\": [{ \"name\": \"orb\", \"position\": [100000.0000001, 2, 3], \"coefficient\": 4, \"color\": [5, 6, 7] }],\n"
     "  \"lines\": [{ \"position\": [1, 2, 3], \"direction\": [0, 0, 5], \"core\": 0.02 }],\n"
@@ -72,6 +80,25 @@ static void check_settings(const demo_scene *s)
     check_close(s->sources.epsilon, 0.01, 0);
     check_numbers(s->background, (double[]){0.1, 0.2, 0.3}, 3);
     assert_int_equal(s->composite, EW_OUTPUT_ADD);
+}
+
+static void check_media(const demo_scene *s)
+{
+    assert_int_equal(s->medium_count, 3);
+    const ew_medium *box = &s->media[0], *sphere = &s->media[1], *ellipsoid = &s->media[2];
+    assert_int_equal(box->shape, EW_MEDIUM_BOX);
+    check_numbers(box->center, (double[]){1.5, 3, 5}, 3);
+    check_numbers(box->half_axes[0], (double[]){1.5, 0, 0, 0, 2, 0, 0, 0, 3}, 9);
+    check_close(box->extinction, 0.5, 0);
+    check_close(box->albedo, 0, 0);
+    check_numbers(box->ambient, (double[]){1, 1, 1}, 3);
+    assert_int_equal(sphere->shape, EW_MEDIUM_ELLIPSOID);
+    check_numbers(sphere->center, (double[]){1, 2, 3}, 3);
+    check_numbers(sphere->half_axes[0], (double[]){4, 0, 0, 0, 4, 0, 0, 0, 4}, 9);
+    check_close(sphere->albedo, 0.25, 0);
+    check_numbers(sphere->ambient, (double[]){7, 8, 9}, 3);
+    assert_int_equal(ellipsoid->shape, EW_MEDIUM_ELLIPSOID);
+    check_numbers(ellipsoid->half_axes[0], (double[]){0, 4, 0, 0, 0, -5, 6, 0, 0}, 9);
 }
 
 static void check_sources(const demo_scene *s)
@@ -150,6 +177,7 @@ static void check_opaque_shapes(const demo_scene *s)
 static void check_full_scene(const demo_scene *s)
 {
     check_settings(s);
+    check_media(s);
     check_sources(s);
     check_paths(s);
     check_opaque_shapes(s);
@@ -396,6 +424,23 @@ static void a_fault_is_named_with_its_place(void **state)
         {WORLD("\"fog\": { \"extinction\": 1, \"height\": {} }"), "fog.height.scale: "},
         {WORLD("\"fog\": { \"extinction\": 1, \"height\": { \"scale\": 0 } }"), "fog.height.scale: "},
         {WORLD("\"fog\": { \"extinction\": 1, \"height\": { \"scale\": 1, \"up\": [0, 0, 0] } }"), "fog.height.up: "},
+        {WORLD("\"media\": {}"), "media: "},
+        {WORLD("\"media\": [{ \"shape\": \"plane\" }]"), "media[0].shape: "},
+        {WORLD("\"media\": [{ \"shape\": \"sphere\", \"center\": [0, 0, 0], \"radius\": 1 }]"), "media[0].extinction: "},
+        {WORLD("\"media\": [{ " BALL ", \"radius\": 0, \"extinction\": 1 }]"), "media[0].radius: "},
+        {WORLD("\"media\": [{ " BALL ", \"radius\": 1, \"extinction\": -1 }]"), "media[0].extinction: "},
+        {WORLD("\"media\": [{ " BALL ", \"radius\": 1, \"extinction\": 2e12 }]"), "media[0].extinction: "},
+        {WORLD("\"media\": [{ " BALL ", \"radius\": 1, \"extinction\": 1, \"albedo\": 1.5 }]"), "media[0].albedo: "},
+        {WORLD("\"media\": [{ " BALL ", \"radius\": 1, \"extinction\": 1, \"ambient\": [1, -1, 1] }]"), "media[0].ambient"},
+        {WORLD("\"media\": [{ " BALL ", \"radius\": 1, \"extinction\": 1, \"color\": [1, 1, 1] }]"), "media[0].color: "},
+        {WORLD("\"media\": [{ " BLOCK ", \"max\": [1, 0, 1], \"extinction\": 1 }]"), "media[0].max: "},
+        {WORLD("\"media\": [{ " EGG ", \"radii\": [1, 0, 1], \"extinction\": 1 }]"), "media[0].radii"},
+        {WORLD("\"media\": [{ " EGG
+               ", \"radii\": [1, 1, 1], \"axes\": [[1, 0, 0], [0, 1, 0], [1, 1, 0]], \"extinction\": 1 }]"),
+         "media[0].axes: "},
+        {WORLD("\"media\": [{ " EGG
+               ", \"radii\": [1, 1, 1], \"axes\": [[1, 0, 0], [0, 0, 0], [0, 0, 1]], \"extinction\": 1 }]"),
+         "media[0].axes: "},
         {"[]", "must be a JSON object"},
     };
     check_faults(faults, sizeof faults / sizeof *faults);

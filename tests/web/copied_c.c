@@ -27,6 +27,8 @@ int main(int argc, char **argv)
     scene.shadow_thickness = frame.shadow_thickness;
     scene.core_pixels = frame.core_pixels;
     scene.fog = frame.fog;
+    scene.media = (ew_medium *)frame.media;
+    scene.medium_count = frame.medium_count;
     int width = atoi(argv[3]), height = atoi(argv[4]);
     const render_settings settings = {width, height, EW_INTEGRATOR_ADAPTIVE, EW_QUALITY_ERROR_1E_3, 200, EW_RESOLUTION_FULL};
     float *color = malloc(sizeof(float) * 4 * (size_t)width * (size_t)height);

@@ -11,7 +11,7 @@ const validate = new Ajv({ strictTypes: false, strictRequired: false }).compile(
 const notOfSchemas = [
     /must not be where the camera's eye is/, /must not point along the view/, /must be more than (near|start|the radius of the core)/,
     /must not be beyond the camera's far plane/, /must be larger than min/, /must grow from its first number/, /must be 3 n \+ 1 points/,
-    /must have \d+ elements at most/, /reach: must be more/, /line \d+, column \d+/, /is UTF-16/, /^(?!.*(is not a key|is missing)).*: (sources|points|lines|tori|curves|paths|frame|view|projection|interval|decay)\b/,
+    /must have \d+ elements at most/, /must not lie in a plane/, /reach: must be more/, /line \d+, column \d+/, /is UTF-16/, /^(?!.*(is not a key|is missing)).*: (sources|points|lines|tori|curves|paths|frame|view|projection|interval|decay)\b/,
 ];
 
 // Good scenes with one thing wrong, at every place of each: no such key, nothing, a wrong type.
@@ -37,6 +37,8 @@ function mutated(scene, [path, wrong]) {
 const everything = {
     version: 1, comment: 'all there is', camera: { eye: [0, 1, 8], target: [0, 0, 0], up: [0, 1, 0], projection: 'perspective', fov_y_degrees: 45, near: 0.1, far: 50 },
     epsilon: 0.001, core_pixels: 1, exposure: 1, light: { gain: 2, reach: 3, shadow_thickness: 0.5 }, fog: { extinction: 0.1, height: { base: 1, scale: 2, up: [0, 1, 0] } }, background: [0, 0, 0], color: [1, 1, 1], composite: 'soft',
+    media: [{ shape: 'box', name: 'smoke', min: [0, 0, 0], max: [1, 1, 1], extinction: 1, albedo: 0.5, ambient: [1, 1, 1] }, { shape: 'sphere', center: [0, 0, 0], radius: 1, extinction: 1 },
+        { shape: 'ellipsoid', center: [0, 0, 0], radii: [1, 2, 3], axes: [[1, 0, 0], [0, 1, 0], [0, 0, 1]], extinction: 1 }],
     points: [{ name: 'orb', position: [0, 0, 0], brightness: 1, core: 0.1, reach: 1, sharpness: 2, color: [1, 0, 0] }],
     lines: [{ position: [0, 0, 0], direction: [1, 0, 0], coefficient: 1, reach: 1 }], tori: [{ center: [0, 0, 0], axis: [0, 1, 0], radius: 1, reach: 1 }],
     curves: [{ control_points: [[0, 0, 0], [1, 1, 0], [2, 0, 0]], domain: [0, 1], weights: [1, 0.5], reach: 1 }, { polynomial: [[0, 0, 0], [1, 1, 0], [2, 0, 0]], reach: 1 }],

@@ -22,6 +22,16 @@ function light(source, scene) {
     return members;
 }
 
+// A medium as ew_medium has it: half axes around a center.
+function medium(m) {
+    const { extinction, albedo = 0, ambient = [1, 1, 1] } = m;
+    const center = m.shape === 'box' ? m.min.map((least, i) => 0.5 * (least + m.max[i])) : m.center;
+    const radii = m.shape === 'box' ? m.min.map((least, i) => 0.5 * (m.max[i] - least)) : m.radii ?? [m.radius, m.radius, m.radius];
+    const axes = (m.axes ?? [[1, 0, 0], [0, 1, 0], [0, 0, 1]]).map((axis, i) => axis.map((x) => radii[i] * x / Math.hypot(...axis)));
+    return [`.shape = ${m.shape === 'box' ? 'EW_MEDIUM_BOX' : 'EW_MEDIUM_ELLIPSOID'}`, `.center = ${list(center)}`, `.half_axes = ${vectors(axes)}`,
+        `.extinction = ${number(extinction)}`, `.albedo = ${number(albedo)}`, `.ambient = ${list(ambient)}`];
+}
+
 const kinds = {
     points: { type: 'ew_point', count: 'point_count', shape: (s) => [`.position = ${list(s.position)}`] },
     lines: { type: 'ew_line', count: 'line_count', shape: (s) => [`.position = ${list(s.position)}`, `.direction = ${list(s.direction)}`] },
@@ -55,6 +65,9 @@ export function cCode(scene) {
         });
         text.push('};', '');
     }
+    if (scene.media?.length)
+        text.push('static const ew_medium scene_media[] = {',
+            ...scene.media.map((m) => `    {${medium(m).join(',\n     ')}},${comment(m.name)}`), '};', '');
     text.push('static const ew_sources_desc scene_sources = {',
         ...used.map(([key, { count }]) => `    .${key} = scene_${key},\n    .${count} = sizeof scene_${key} / sizeof *scene_${key},`),
         `    .epsilon = ${number(scene.epsilon ?? 1e-3)},`, '};', '',
@@ -69,6 +82,8 @@ export function cCode(scene) {
         text.push(`    frame->fog = (ew_fog){.extinction = ${number(scene.fog.extinction)}, .up = ${list(up)}, ` +
             `.base = ${number(base)}, .scale = ${number(scale)}};`);
     }
+    if (scene.media?.length)
+        text.push('    frame->media = scene_media;', '    frame->medium_count = sizeof scene_media / sizeof *scene_media;');
     if (scene.interval) {
         const near = scene.camera.near ?? 0.1, far = scene.camera.far ?? 100;
         text.push(`    frame->interval_start = ${number(scene.interval.start ?? near)};`, `    frame->interval_end = ${number(scene.interval.end ?? far)};`,

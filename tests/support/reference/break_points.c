@@ -139,6 +139,10 @@ static void add_known_break_points(break_point_search *search, const integrand *
     for (double s_plus_beta = 4 * f->beta; !f->is_world && s_plus_beta < f->origin_s + end + f->beta; s_plus_beta *= 4)
         add_break_point(search, s_plus_beta - f->beta - f->origin_s, end);
     if (kind->kink && kind->kink(&f->source, f->direction, &x)) add_break_point(search, x, end);
+    for (size_t i = 0; i < f->fog.body_count; i++) {
+        add_break_point(search, f->fog.bodies[i].from - f->origin_s, end);
+        add_break_point(search, f->fog.bodies[i].to - f->origin_s, end);
+    }
 }
 
 /* About the integral's value. The samples are sorted. */

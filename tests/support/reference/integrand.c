@@ -156,14 +156,24 @@ double integrand_distance_slope(const integrand *f, double x)
     return vector_dot(f->direction, nearest.offset);
 }
 
-/* The extinction is exp(-height), and height is linear in s: over the way, its mean is (exp(-low) - exp(-high)) / (high - low).
- */
+static double optical_depth_of_bodies(const integrand *f, double s)
+{
+    double sum = 0;
+    for (size_t i = 0; i < f->fog.body_count; i++) {
+        const reference_body *body = &f->fog.bodies[i];
+        sum += body->extinction * fmax(0, fmin(s, body->to) - fmax(f->fog.begin, body->from));
+    }
+    return sum * vector_length(f->direction);
+}
+
+/* The extinction of fog is exp(-height), and height is linear in s: over the way, its mean is (exp(-low) - exp(-high)) /
+ * (high - low). */
 double integrand_optical_depth(const integrand *f, double x)
 {
     const reference_fog *fog = &f->fog;
-    double s = f->origin_s + x, way = (s - fog->begin) * vector_length(f->direction);
-    if (fog->extinction == 0 || !fog->has_height) return fog->extinction * way;
+    double s = f->origin_s + x, way = (s - fog->begin) * vector_length(f->direction), bodies = optical_depth_of_bodies(f, s);
+    if (fog->extinction == 0 || !fog->has_height) return fog->extinction * way + bodies;
     double rise = fog->height[1] - fog->height[0], begin = fog->height[0] + fog->begin * rise, end = fog->height[0] + s * rise;
     double low = fmin(begin, end), difference = fabs((s - fog->begin) * rise);
-    return fog->extinction * way * exp(-low) * (difference > 0 ? -expm1(-difference) / difference : 1);
+    return fog->extinction * way * exp(-low) * (difference > 0 ? -expm1(-difference) / difference : 1) + bodies;
 }

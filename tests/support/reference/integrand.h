@@ -50,10 +50,10 @@ void integrand_set_origin(integrand *f, double origin_s);
  * left. */
 bool integrand_limit(const integrand *f, double *low, double *high);
 
-/* Without fog. */
+/* Without fog and bodies. */
 integrand_sample integrand_at(const integrand *f, double x);
 
-/* The optical depth of the fog from where it begins up to x. */
+/* The optical depth of fog and bodies from where the fog begins up to x. */
 double integrand_optical_depth(const integrand *f, double x);
 
 /* The derivative of the distance by x, times the distance. */

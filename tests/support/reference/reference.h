@@ -12,12 +12,20 @@
 /* A reference value counts as reliable while its error is at most this share of it. */
 #define REFERENCE_RELATIVE_ERROR 1e-7
 
+/* A body of a medium on a ray, from one s to another. */
+typedef struct reference_body {
+    double extinction; /* per world unit */
+    double from, to;
+} reference_body;
+
 /* Fog along a ray, of which light at s leaves exp(-optical depth from `begin` to s). */
 typedef struct reference_fog {
-    double extinction; /* per world unit; 0: none */
-    double begin;      /* s, at most 0 */
-    bool has_height;   /* then the extinction is that times exp(-height) */
-    double height[2];  /* over the fog's base, in its scale, at s = 0 and at s = 1 */
+    double extinction;                   /* per world unit; 0: none */
+    double begin;                        /* s, at most 0 */
+    bool has_height;                     /* then the extinction is that times exp(-height) */
+    double height[2];                    /* over the fog's base, in its scale, at s = 0 and at s = 1 */
+    reference_body bodies[EW_MAX_MEDIA]; /* which dim the light as well */
+    size_t body_count;
 } reference_fog;
 
 /* L(s) = start + s (end - start), s from 0 to s_max, in the sources' space. Coordinates near the origin keep the most digits:
