@@ -38,7 +38,7 @@ vec3 ew_shine(vec4 color, float irradiance)
     return clamp(color.w * irradiance, 0.0, EW_MAX_IRRADIANCE) * color.rgb;
 }
 
-// E(P) of emitter.glsl, as a colour. Error 1e-2 of the largest of the picture.
+// E(P) of emitter.glsl, as a colour. Error 1e-2 of the largest of the picture, but for rare places: see docs/method.md.
 vec3 ew_irradiance_of_all(ew_surface surface)
 {
     vec3 sum = vec3(0.0);
