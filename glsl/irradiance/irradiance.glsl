@@ -10,6 +10,9 @@ const float EW_LEAST_SHADED = 2e-3;
 // Where between their ends this pixel picks from equal shares of the light.
 float ew_pick_offset = 0.5;
 
+// The light that there would be without shadows, in the sources' units.
+vec3 ew_unshaded = vec3(0.0);
+
 // The share of the picked places from which light gets to the surface: see shadow.glsl.
 float ew_visible_share(ew_surface surface, float core);
 
@@ -22,7 +25,7 @@ void ew_start_picking(float light)
 #define EW_IS_SHADED(source) (light * source.color.w * ew_light_gain() > EW_LEAST_SHADED)
 #define EW_PICK(source) ew_start_picking(light); ew_irradiance_of(surface, source); ew_pick_sums = vec4(-1.0);
 #define EW_SHADE(source) EW_PICK(source) light *= ew_visible_share(surface, ew_light_core(source.glow));
-#define EW_CAST(source) if (EW_IS_SHADED(source)) { EW_SHADE(source) }
+#define EW_CAST(source) ew_unshaded += ew_shine(source.color, light); if (EW_IS_SHADED(source)) { EW_SHADE(source) }
 #else
 #define EW_CAST(source)
 #endif
