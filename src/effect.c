@@ -169,7 +169,10 @@ ew_result ew_update_uniform_buffer(ew_effect *effect, const ew_frame_desc *frame
     if (!buffer) return ew_fail(error, EW_ERROR_INVALID_ARGUMENT, "buffer must not be NULL");
     ew_frame_desc settled;
     ew_plan plan;
-    ew_result result = ew_plan_uniforms(&plan, &effect->sources, settle(effect, frame, &settled), error);
+    const ew_frame_desc *integral = settle(effect, frame, &settled);
+    /* As ew_get_shader_text: that of surfaces would be packed in a space of its own, which knows no interval. */
+    settled.output = EW_OUTPUT_LERP;
+    ew_result result = ew_plan_uniforms(&plan, &effect->sources, integral, error);
     if (result != EW_OK) return result;
     result = ew_upload(&effect->device, &plan, error);
     if (result == EW_OK) *buffer = effect->device.uniform_buffer;

@@ -741,8 +741,9 @@ EW_API ew_result ew_get_shader_text(ew_effect *effect, const ew_mix *mix, const 
 
 /* Fills the buffer of the block `ew_uniforms` with the frame and the current sources.
  *
- * frame:  as for ew_draw. Only the view, the interval (sources must be within 1e6 times its length), the decay, the quality and
- *         the simpson_divisions matter.
+ * frame:  as for ew_draw, whichever output it has: a frame of EW_OUTPUT_SURFACES will do, too. What it says of the target, of
+ *         depth and of shadows does not matter, but for the viewport, by whose pixels core_pixels counts. Sources must be within
+ *         1e6 times the interval's length.
  * buffer: receives the buffer's name. Unchanged on failure. The buffer belongs to the effect, is always the same one, and keeps
  *         its contents until the next call of ew_draw, ew_prepare or this function.
  * Errors: INVALID_ARGUMENT, TOO_MANY_SOURCES if the context's uniform blocks are too small for the sources.

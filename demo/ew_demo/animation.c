@@ -101,7 +101,7 @@ static void set_spiral(demo_animation *a, double seconds)
     ew_path *spiral = &a->paths[ANIMATION_SPIRAL];
     path_helix helix = {.height = 5.6, .radii = {1.0, 0.8}, .turns = 3.5, .start_angle = -2 * M_PI * 0.2 * seconds};
     vector_copy(court_spiral_base, helix.base);
-    spiral->brightness = 2.2;
+    spiral->brightness = 0.7;
     path_make_helix(&helix, a->path_points[ANIMATION_SPIRAL], spiral->point_count);
     for (size_t i = 0; i < spiral->weight_count; i++) {
         double u = (double)i / (double)(spiral->weight_count - 1), pulse = 0.5 + 0.5 * wave(seconds, 5, -1.5 * u);

@@ -29,7 +29,7 @@ float ew_gloss_of_bend(ew_surface surface, ew_gloss gloss, ew_curve_block block,
     float core = ew_light_core(block.glow);
     float slope = weight_places.y - weight_places.x;
     ew_emitter emitter = ew_emitter(curve.c0 - surface.position, curve.c1, curve.c2, vec2(curve.first, curve.last),
-                                    vec2(weight_places.x - curve.first * slope, slope), pieces, vec2(0.0), vec2(0.0), 0.0);
+                                    vec2(weight_places.x - curve.first * slope, slope), pieces, vec2(0.0), vec2(0.0), vec2(0.0), 0.0);
     ew_find_peaks(emitter, curve.has_vertex, core);
     float vertex = clamp(emitter.vertex, curve.first, curve.last);
     float sum = 0.0;

@@ -12,6 +12,7 @@ struct ew_emitter {
     vec2 weight_place;
     vec2 pieces;
     vec2 peaks; // the tau nearest to the surface before the vertex, and behind it
+    vec2 sharp; // these again where no rule may run across them; else the end
     vec2 widths; // how far to either side of them the emitter is taken as straight, since the surface is in its core
     float vertex;
 };
@@ -45,15 +46,22 @@ float ew_emitter_knot(ew_emitter emitter, float tau, float last)
     return last;
 }
 
+// How much tau changes on a way along the emitter from the peak on. The way grows with its speed and, from a sharp vertex, with its bend.
+float ew_tau_of_way(ew_emitter emitter, float peak, float way)
+{
+    float speed = length(emitter.c1 + 2.0 * peak * emitter.c2);
+    return 2.0 * way / max(speed + sqrt(speed * speed + 4.0 * way * length(emitter.c2)), 1e-30);
+}
+
 // The integral between two tau of one smooth part. tau = peak + width tan(theta) spreads the nodes evenly over the angle under
-// which a straight emitter would be seen.
+// which a straight emitter would be seen, from a place in the core over that from the core's edge: what is nearer is no part of this
+// kind.
 float ew_light_of_part(ew_surface surface, ew_emitter emitter, vec2 part, float core)
 {
     float middle = 0.5 * (part.x + part.y);
     float peak = clamp(middle < emitter.vertex ? emitter.peaks.x : emitter.peaks.y, part.x, part.y);
-    vec3 nearest = ew_emitter_place(emitter, peak);
-    float speed = length(emitter.c1 + 2.0 * peak * emitter.c2);
-    float width = max(length(nearest) / max(speed, 1e-30), 1e-6 * (part.y - part.x));
+    float nearest = max(length(ew_emitter_place(emitter, peak)), core);
+    float width = max(ew_tau_of_way(emitter, peak, nearest), 1e-6 * (part.y - part.x));
     vec2 angles = atan((part - peak) / width);
     float half_angle = 0.5 * (angles.y - angles.x);
     float mean_angle = 0.5 * (angles.x + angles.y);
@@ -74,15 +82,15 @@ float ew_light_of_part(ew_surface surface, ew_emitter emitter, vec2 part, float 
     return half_angle * sum;
 }
 
-// The integral over a part in whose core the surface is, as two straight ones.
+// The integral over a part in whose core the surface is, as straight ones.
 float ew_light_of_near_part(ew_surface surface, ew_emitter emitter, vec2 part, float core)
 {
     float sum = 0.0;
-    float quarter = 0.25 * (part.y - part.x);
-    for (int i = 0; i < 2; ++i) {
-        float middle = part.x + quarter * float(2 * i + 1);
-        vec3 start = ew_emitter_place(emitter, middle - quarter);
-        vec3 end = ew_emitter_place(emitter, middle + quarter);
+    float half_step = 0.5 * (part.y - part.x) / float(EW_NEAR_CHORDS);
+    for (int i = 0; i < EW_NEAR_CHORDS; ++i) {
+        float middle = part.x + half_step * float(2 * i + 1);
+        vec3 start = ew_emitter_place(emitter, middle - half_step);
+        vec3 end = ew_emitter_place(emitter, middle + half_step);
         float light = ew_emitter_weight(emitter, middle) *
                       ew_light_of_nearly_straight(surface, start, ew_emitter_place(emitter, middle), end, core);
         EW_PICK_BETWEEN(light, start, end);
@@ -91,13 +99,19 @@ float ew_light_of_near_part(ew_surface surface, ew_emitter emitter, vec2 part, f
     return sum;
 }
 
-// How far from the peak the emitter leaves the core, if the surface is in it there; else 0. The way along it grows with its speed and, from
-// a sharp vertex, with its bend.
+// How far from the peak the emitter leaves the core, if the surface is in it there; else 0.
 float ew_straight_width(ew_emitter emitter, float peak, float core)
 {
     bool is_near = ew_length_squared(ew_emitter_place(emitter, peak)) < core * core;
-    float speed = length(emitter.c1 + 2.0 * peak * emitter.c2);
-    return is_near ? 2.0 * core / max(speed + sqrt(speed * speed + 4.0 * core * length(emitter.c2)), 1e-30) : 0.0;
+    return is_near ? ew_tau_of_way(emitter, peak, core) : 0.0;
+}
+
+// The peak, where the surface is close to it for the core's size or for the emitter's length; else what is no place of the emitter.
+float ew_sharp_peak(ew_emitter emitter, float peak, float core)
+{
+    float nearest = length(ew_emitter_place(emitter, peak));
+    bool is_sharp = nearest < 2.0 * core || ew_tau_of_way(emitter, peak, nearest) < 0.1 * (emitter.domain.y - emitter.domain.x);
+    return is_sharp ? peak : emitter.domain.y;
 }
 
 // The tau nearest to the surface before the vertex and behind it. With C2 perpendicular to C1, the derivative of the squared distance
@@ -122,6 +136,7 @@ void ew_find_peaks(inout ew_emitter emitter, bool has_vertex, float core)
     vec2 first = vec2(emitter.domain.x, max(emitter.vertex, emitter.domain.x));
     vec2 last = vec2(has_vertex ? min(emitter.vertex, emitter.domain.y) : emitter.domain.y, emitter.domain.y);
     emitter.peaks = clamp(peaks, min(first, last), last);
+    emitter.sharp = vec2(ew_sharp_peak(emitter, emitter.peaks.x, core), ew_sharp_peak(emitter, emitter.peaks.y, core));
     emitter.widths = vec2(ew_straight_width(emitter, emitter.peaks.x, core), ew_straight_width(emitter, emitter.peaks.y, core));
 }
 
@@ -142,10 +157,10 @@ float ew_next_break(ew_emitter emitter, vec2 horizon, float tau)
 {
     float next = ew_emitter_knot(emitter, tau, emitter.domain.y);
     vec4 near = vec4(emitter.peaks - emitter.widths, emitter.peaks + emitter.widths);
-    vec4 breaks = vec4(horizon, emitter.peaks);
+    vec4 breaks = vec4(horizon, emitter.sharp);
     bvec4 has_near = bvec4(emitter.widths.xyxy);
     near = mix(vec4(next), near, bvec4(has_near.x && near.x > tau, has_near.y && near.y > tau, has_near.x && near.z > tau, has_near.y && near.w > tau));
-    breaks = mix(vec4(next), breaks, bvec4(horizon.x > tau, horizon.y > tau, has_near.x && breaks.z > tau, has_near.y && breaks.w > tau));
+    breaks = mix(vec4(next), breaks, greaterThan(breaks, vec4(tau)));
     vec4 least = min(near, breaks);
     next = min(next, min(min(least.x, least.y), min(least.z, least.w)));
     return emitter.vertex > tau ? min(next, emitter.vertex) : next;
@@ -182,6 +197,6 @@ float ew_light_of_bend(ew_surface surface, ew_curve_block block, vec2 weight_pla
     ew_polynomial_curve curve = ew_make_polynomial_curve(block);
     float slope = weight_places.y - weight_places.x;
     vec2 places = vec2(weight_places.x - curve.first * slope, slope);
-    ew_emitter emitter = ew_emitter(curve.c0 - surface.position, curve.c1, curve.c2, vec2(curve.first, curve.last), places, pieces, vec2(0.0), vec2(0.0), 0.0);
+    ew_emitter emitter = ew_emitter(curve.c0 - surface.position, curve.c1, curve.c2, vec2(curve.first, curve.last), places, pieces, vec2(0.0), vec2(0.0), vec2(0.0), 0.0);
     return ew_light_of_emitter(surface, emitter, curve.has_vertex, ew_light_core(block.glow));
 }

@@ -10,6 +10,9 @@ const float EW_LEAST_SHADED = 2e-3;
 // Where between their ends this pixel picks from equal shares of the light.
 float ew_pick_offset = 0.5;
 
+// The light that there would be without shadows, in the sources' units.
+vec3 ew_unshaded = vec3(0.0);
+
 // The share of the picked places from which light gets to the surface: see shadow.glsl.
 float ew_visible_share(ew_surface surface, float core);
 
@@ -25,7 +28,8 @@ void ew_start_picking(float light)
 #define EW_LIGHT_OR_PICK(source) light = mix(ew_irradiance_of(surface, source), light, picks); picks = !picks && EW_IS_SHADED(source);
 #define EW_LIGHT_AND_PICK(source) do { EW_LIGHT_OR_PICK(source) if (picks) ew_start_picking(light); } while (picks);
 #define EW_SHADE(source) ew_pick_sums = vec4(-1.0); light *= ew_visible_share(surface, ew_light_core(source.glow));
-#define EW_CAST(source) EW_LIGHT_AND_PICK(source) if (EW_IS_SHADED(source)) { EW_SHADE(source) }
+#define EW_UNSHADED(source) ew_unshaded += ew_shine(source.color, light);
+#define EW_CAST(source) EW_LIGHT_AND_PICK(source) EW_UNSHADED(source) if (EW_IS_SHADED(source)) { EW_SHADE(source) }
 #define EW_FIND_LIGHT(source) float light = 0.0; bool picks = false; EW_CAST(source)
 #else
 #define EW_FIND_LIGHT(source) float light = ew_irradiance_of(surface, source);
@@ -42,7 +46,7 @@ vec3 ew_shine(vec4 color, float irradiance)
     return clamp(color.w * irradiance, 0.0, EW_MAX_IRRADIANCE) * color.rgb;
 }
 
-// E(P) of emitter.glsl, as a colour. Error 1e-2 of the largest of the picture.
+// E(P) of emitter.glsl, as a colour. Error 1e-2 of the largest of the picture, but for rare places: see docs/method.md.
 vec3 ew_irradiance_of_all(ew_surface surface)
 {
     vec3 sum = vec3(0.0);

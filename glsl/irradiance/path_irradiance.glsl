@@ -10,7 +10,7 @@ float ew_light_of_straight_piece(ew_surface surface, ew_path_block path, vec4 st
     if (path.weights.y > 0.0) {
         ew_emitter emitter =
             ew_emitter(from, to - from, vec3(0.0), vec2(0.0, 1.0), vec2(start.w, end.w - start.w), path.weights.xy, vec2(0.0),
-                       vec2(0.0), 0.0);
+                       vec2(0.0), vec2(0.0), 0.0);
         return ew_light_of_emitter(surface, emitter, false, ew_light_core(path.glow));
     }
 #endif
@@ -47,10 +47,14 @@ ew_short_piece ew_make_short_piece(ew_surface surface, ew_path_block path, int i
     return ew_short_piece(0.5 * (start.xyz + end.xyz) - surface.position, end.xyz - start.xyz, vec3(0.0), vec2(start.w, end.w));
 }
 
-bool ew_is_far(ew_short_piece piece, float core)
+// Whether two nodes will do: not where the piece turns back, nor where its weights have a few polynomials.
+bool ew_is_far(ew_short_piece piece, ew_path_block path)
 {
-    float radius = 0.5 * length(piece.slope) + 0.25 * length(piece.bend);
-    return length(piece.middle) > max(3.0 * radius, radius + core);
+    float slope = length(piece.slope);
+    float bend = length(piece.bend);
+    float radius = 0.5 * slope + 0.25 * bend;
+    float knots = (piece.weight_places.y - piece.weight_places.x) * path.weights.y;
+    return length(piece.middle) > max(3.0 * radius, radius + ew_light_core(path.glow)) && bend <= slope && knots <= 1.5;
 }
 
 float ew_light_of_far_piece(ew_surface surface, ew_path_block path, ew_short_piece piece, float core)
@@ -81,13 +85,12 @@ float ew_light_of_near_piece(ew_surface surface, ew_path_block path, int i)
 // Near pieces are looked for in a loop of their own: see EW_FIND in light.glsl.
 float ew_light_of_near_pieces(ew_surface surface, ew_path_block path, int first, int last)
 {
-    float core = ew_light_core(path.glow);
     float sum = 0.0;
     int i = first;
     do {
         bool is_near = false;
         do {
-            is_near = is_near || !ew_is_far(ew_make_short_piece(surface, path, i), core);
+            is_near = is_near || !ew_is_far(ew_make_short_piece(surface, path, i), path);
             i += is_near ? 0 : 1;
         } while (!is_near && i <= last);
         if (is_near) {
@@ -107,7 +110,7 @@ float ew_light_of_pieces(ew_surface surface, ew_path_block path, int count)
     int i = 0;
     do {
         ew_short_piece piece = ew_make_short_piece(surface, path, i);
-        if (ew_is_far(piece, core)) {
+        if (ew_is_far(piece, path)) {
             sum += ew_light_of_far_piece(surface, path, piece, core);
         } else {
             first = min(first, i);

@@ -54,7 +54,9 @@ float ew_light_of_straight(ew_surface surface, vec3 foot, vec3 axis, vec2 t, flo
     // Where the surface is next to the emitter's line, what is left out by this is a millionth of the light.
     float core2 = core * core;
     float h2 = max(ew_length_squared(foot), 1e-12 * core2);
-    float last = sqrt(max(ew_square(ew_light_reach()) - h2, 0.0));
+    float last2 = ew_square(ew_light_reach()) - h2;
+    if (last2 <= 0.0) return 0.0;
+    float last = sqrt(last2);
     t = clamp(t, -last, last);
     float edge = sqrt(max(core2 - h2, 0.0));
     vec2 before = vec2(t.x, min(t.y, -edge));
@@ -77,6 +79,9 @@ float ew_light_of_segment(ew_surface surface, vec3 start, vec3 end, float core)
     float first = dot(start, axis);
     return way_length > 0.0 ? ew_light_of_straight(surface, start - first * axis, axis, vec2(first, first + way_length), core) : 0.0;
 }
+
+// Where a surface is in the core of a bent emitter, as many straight pieces stand for what is next to it on either side.
+const int EW_NEAR_CHORDS = 6;
 
 // A short piece of a bent emitter, as a straight one as far away on the average: a parabola is two thirds of the way from its chord to its
 // middle.

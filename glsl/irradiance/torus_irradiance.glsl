@@ -36,16 +36,26 @@ vec3 ew_circle_place(ew_circle circle, vec2 turned)
     return circle.center + circle.radius * (turned.x * circle.right + turned.y * circle.up);
 }
 
-// The light of a part next to the nearest place, where the surface is in the core: as a straight one.
+// From t = tan(phi / 2).
+vec3 ew_circle_place_at(ew_circle circle, float t)
+{
+    return ew_circle_place(circle, vec2((1.0 - t) * (1.0 + t), 2.0 * t) / (1.0 + t * t));
+}
+
+// The light of a part next to the nearest place, where the surface is in the core: as straight ones.
 float ew_light_of_near_arc(ew_surface surface, ew_circle circle, vec2 part, float core)
 {
-    float middle = 0.5 * (part.x + part.y);
-    vec3 start = ew_circle_place(circle, vec2(cos(part.x), sin(part.x)));
-    vec3 end = ew_circle_place(circle, vec2(cos(part.y), sin(part.y)));
-    vec3 between = ew_circle_place(circle, vec2(cos(middle), sin(middle)));
-    float light = ew_light_of_nearly_straight(surface, start, between, end, core);
-    EW_PICK_BETWEEN(light, start, end);
-    return light;
+    float sum = 0.0;
+    float half_step = 0.5 * (part.y - part.x) / float(EW_NEAR_CHORDS);
+    for (int i = 0; i < EW_NEAR_CHORDS; ++i) {
+        float middle = part.x + half_step * float(2 * i + 1);
+        vec3 start = ew_circle_place_at(circle, middle - half_step);
+        vec3 end = ew_circle_place_at(circle, middle + half_step);
+        float light = ew_light_of_nearly_straight(surface, start, ew_circle_place_at(circle, middle), end, core);
+        EW_PICK_BETWEEN(light, start, end);
+        sum += light;
+    }
+    return sum;
 }
 
 // cos and sin of phi at theta. tan(phi / 2) is `ratio` times tan(theta). Also returns the phi that a radian of theta takes.
@@ -56,13 +66,12 @@ vec3 ew_turn_circle(float ratio, float theta)
     return vec3((c - s) * (c + s), 2.0 * c * s, 2.0 * ratio) / (c * c + s * s);
 }
 
-// The same of a part on one side, between -pi and 0 or between 0 and pi.
+// The same of a part on one side of the nearest place. Next to that, where the surface is in the core, is no part of this kind, and the
+// core is what 1 / d is smooth over.
 float ew_light_of_arc(ew_surface surface, ew_circle circle, vec2 part, float core)
 {
-    const float pi = 3.14159265359;
-    float ratio = max(circle.distances.x / max(circle.distances.y, 1e-30), 1e-6);
-    vec2 tangents = vec2(part.x <= -pi ? -1e6 : tan(0.5 * part.x), part.y >= pi ? 1e6 : tan(0.5 * part.y));
-    vec2 angles = atan(tangents / ratio);
+    float ratio = clamp(max(circle.distances.x, core) / max(circle.distances.y, 1e-30), 1e-6, 1.0);
+    vec2 angles = atan(part / ratio);
     float half_angle = 0.5 * (angles.y - angles.x);
     float mean_angle = 0.5 * (angles.x + angles.y);
     float sum = 0.0;
@@ -79,34 +88,57 @@ float ew_light_of_arc(ew_surface surface, ew_circle circle, vec2 part, float cor
     return circle.radius * half_angle * sum;
 }
 
+// What stands for an infinite t, at the farthest place.
+const float EW_FARTHEST_TURN = 1e6;
+
+// Where the circle rises above the surface's horizon and where it falls below it again, which may be at a smaller t: then it is above at
+// the farthest place. All of it, if it does neither. With t = tan(phi / 2),
+//
+//     n . (C - P) (1 + t^2) = away t^2 + 2 slope t + here
+//
+// which keeps the digits next to the nearest place. Those of an acos, or of Mesa's atan, would not tell where in a thin core that is.
+vec2 ew_find_risen_arc(ew_surface surface, ew_circle circle)
+{
+    vec3 outward = circle.radius * circle.right;
+    float here = dot(surface.normal, circle.center + outward);
+    float away = dot(surface.normal, circle.center - outward);
+    float slope = circle.radius * dot(surface.normal, circle.up);
+    float discriminant = slope * slope - here * away;
+    if (discriminant <= 0.0) return vec2(-EW_FARTHEST_TURN, EW_FARTHEST_TURN);
+    float q = max(abs(slope) + sqrt(discriminant), 1e-30);
+    float near = here / q;
+    float far = q / mix(away, 1e-30, away == 0.0);
+    vec2 arc = clamp(slope < 0.0 ? vec2(far, near) : vec2(-near, -far), -EW_FARTHEST_TURN, EW_FARTHEST_TURN);
+    // The farthest place is both of these.
+    return vec2(arc.x >= EW_FARTHEST_TURN ? -EW_FARTHEST_TURN : arc.x, arc.y <= -EW_FARTHEST_TURN ? EW_FARTHEST_TURN : arc.y);
+}
+
 float ew_irradiance_of(ew_surface surface, ew_torus_block torus)
 {
-    const float pi = 3.14159265359;
     ew_circle circle = ew_circle_around(surface, torus);
     if (circle.distances.x >= ew_light_reach()) return 0.0;
-    // n . (C - P) = level + lean cos(phi - toward).
     float level = dot(surface.normal, circle.center);
     vec2 lean = circle.radius * vec2(dot(surface.normal, circle.right), dot(surface.normal, circle.up));
-    float slope = length(lean);
-    if (level + slope <= 0.0) return 0.0;
-    float toward = slope > 0.0 ? atan(lean.y, lean.x) : 0.0;
-    float open = level >= slope ? pi : acos(clamp(-level / max(slope, 1e-30), -1.0, 1.0));
-    // From toward - open to toward + open: phi = turn + local, and local in [-pi, pi]. Parts end at the nearest place, and where
-    // the circle next to that is taken as straight, since the surface is in the core.
+    if (level + length(lean) <= 0.0) return 0.0;
+    // Parts end at the nearest place and, from a surface in the core, where the circle next to that is taken as straight and where it
+    // leaves the core.
     float core = ew_light_core(torus.glow);
-    float width = circle.distances.x < core ? min(core / circle.radius, 0.5) : 0.0;
-    float turn = 2.0 * pi * floor(0.5 * (toward - open) / pi + 0.5);
-    float local = toward - open - turn;
+    vec2 d2 = circle.distances * circle.distances;
+    float core2 = core * core;
+    float width = d2.x < core2 ? min(0.5 * core / circle.radius, 0.25) : 0.0;
+    float edge = d2.x < core2 && core2 < d2.y ? max(sqrt((core2 - d2.x) / (d2.y - core2)), width) : width;
+    vec2 arc = ew_find_risen_arc(surface, circle);
+    float t = arc.x;
     float sum = 0.0;
+    bool is_last = false;
     int count = 0;
     do {
-        float next = local < -width ? -width : local < 0.0 ? 0.0 : local < width ? width : pi;
-        next = min(next, toward + open - turn);
-        vec2 part = vec2(local, next);
-        sum += max(-local, next) <= width ? ew_light_of_near_arc(surface, circle, part, core)
-                                          : ew_light_of_arc(surface, circle, part, core);
-        if (next >= pi) { turn += 2.0 * pi; next = -pi; }
-        local = next;
-    } while (turn + local < toward + open && ++count < 8);
+        float next = t < -edge ? -edge : t < -width ? -width : t < 0.0 ? 0.0 : t < width ? width : t < edge ? edge : EW_FARTHEST_TURN;
+        is_last = arc.y > t && arc.y <= next;
+        vec2 part = vec2(t, is_last ? arc.y : next);
+        sum += max(-part.x, part.y) <= width ? ew_light_of_near_arc(surface, circle, part, core)
+                                             : ew_light_of_arc(surface, circle, part, core);
+        t = next >= EW_FARTHEST_TURN ? -EW_FARTHEST_TURN : next;
+    } while (!is_last && ++count < 10);
     return sum;
 }

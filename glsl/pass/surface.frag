@@ -13,6 +13,25 @@ vec3 ew_light_on(ivec2 place, int sample_index)
     return ew_irradiance_of_all(ew_surface(position, ew_normal_of(place, position, sample_index)));
 }
 
+#ifdef EW_SHADOWS
+// The mean of a value over a pair of the 2 x 2 pixels that are shaded together, where both get about the same light without shadows.
+vec3 ew_mean_of_pair(vec3 share, vec3 growth, vec3 unshaded_growth, vec3 unshaded, int place)
+{
+    bool is_alike = all(lessThanEqual(abs(unshaded_growth), 0.25 * unshaded));
+    return is_alike ? share + ((place & 1) == 0 ? 0.5 : -0.5) * growth : share;
+}
+
+// Light in which the share that shadows leave is the mean over 2 x 2 pixels. Each of them picked other places of the sources, so together
+// they know four times as many, and the grain is half as strong.
+vec3 ew_smooth_shadows(vec3 light, vec3 unshaded, ivec2 place)
+{
+    vec3 share = mix(light / max(unshaded, vec3(1e-30)), vec3(1.0), equal(unshaded, vec3(0.0)));
+    share = ew_mean_of_pair(share, dFdx(share), dFdx(unshaded), unshaded, place.x);
+    share = ew_mean_of_pair(share, dFdy(share), dFdy(unshaded), unshaded, place.y);
+    return unshaded * clamp(share, 0.0, 1.0);
+}
+#endif
+
 void main()
 {
     ivec2 place = ivec2(gl_FragCoord.xy);
@@ -29,6 +48,13 @@ void main()
     light /= float(ew_samples.y - ew_samples.x);
 #else
     light = ew_light_on(place, 0);
+#endif
+#ifdef EW_SHADOWS
+    vec3 unshaded = ew_light_gain() * ew_unshaded;
+#ifdef EW_DEPTH_MULTISAMPLE
+    unshaded /= float(ew_samples.y - ew_samples.x);
+#endif
+    light = ew_smooth_shadows(light, min(unshaded, vec3(EW_MAX_IRRADIANCE)), place);
 #endif
     ew_color = vec4(min(light, EW_MAX_RADIANCE), 0.0);
 }

@@ -61,12 +61,13 @@ static void take(lit_range *range, const ew_lit_source *lit, const ew_view *view
     range->farthest = fmax(range->farthest, distance + lit->ball.radius);
 }
 
-static ew_interval interval_of(const lit_range *range, const ew_view *view)
+/* Where nothing is lit along view rays, surfaces may be: the interval is about as far away as the sources, `unit`. */
+static ew_interval interval_of(const lit_range *range, double unit, const ew_view *view)
 {
     double first = ew_first_depth(view);
     ew_interval interval = {fmax(range->least, first), range->most};
     if (range->endless >= 0) interval.end = fmax(range->most, first + range->endless);
-    if (!(interval.end > interval.start)) return (ew_interval){first + 1, first + 2};
+    if (!(interval.end > interval.start)) return (ew_interval){first + unit, first + 2 * unit};
     if (!ew_is_parallel(view) && interval.start < EW_MIN_DEPTH_RATIO * interval.end) interval.start = 0;
     return interval;
 }
@@ -79,5 +80,6 @@ ew_lit_space ew_find_lit_space(const ew_sources *sources, double light_reach, co
         const ew_lit_source lit = ew_lit_source_at(sources, i, light_reach);
         take(&range, &lit, view, core_growth);
     }
-    return (ew_lit_space){interval_of(&range, view), range.farthest > 0 ? range.farthest : 1};
+    double unit = range.farthest > 0 ? range.farthest : 1;
+    return (ew_lit_space){interval_of(&range, unit, view), unit};
 }

@@ -5,8 +5,7 @@
 
 #include <math.h>
 
-/* A random place on a random source; false if there is none. */
-static bool random_source_place(const scene_rays *rays, uint64_t *random, double place[3])
+bool random_source_place(const scene_rays *rays, uint64_t *random, double place[3], double *core)
 {
     size_t index = random_index(random, source_count_of_all_kinds(&rays->sources));
     double u = random_unit(random), middle;
@@ -18,7 +17,10 @@ static bool random_source_place(const scene_rays *rays, uint64_t *random, double
         const source_kind *kind = source_kinds[k];
         size_t count = source_count(kind, &rays->sources);
         if (index < count) {
-            kind->place(source_at(kind, &rays->sources, index), &view, u, place);
+            const void *source = source_at(kind, &rays->sources, index);
+            kind->place(source, &view, u, place);
+            *core = source_light_of(kind, source).core;
+            if (*core == 0) *core = rays->sources.epsilon;
             return true;
         }
         index -= count;
@@ -28,8 +30,8 @@ static bool random_source_place(const scene_rays *rays, uint64_t *random, double
 
 bool random_core_pixel(const scene_rays *rays, uint64_t *random, int *x, int *y)
 {
-    double place[3], column, row, depth;
-    if (!random_source_place(rays, random, place)) return false;
+    double place[3], core, column, row, depth;
+    if (!random_source_place(rays, random, place, &core)) return false;
     double distance = 0.25 * pow(128, random_unit(random)), angle = 2 * M_PI * random_unit(random);
     scene_rays_project(rays, place, &column, &row, &depth);
     if (rays->is_world ? !(depth > 0) : !(depth >= rays->interval_start && depth <= rays->interval_end)) return false;

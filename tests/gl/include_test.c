@@ -488,6 +488,24 @@ static void the_buffer_keeps_its_name_and_the_host_its_binding(void **state)
     ew_destroy_effect(effect);
 }
 
+/* A host that draws light on surfaces hands over that frame for its own shaders, too. */
+static void the_output_of_the_frame_does_not_matter(void **state)
+{
+    (void)state;
+    ew_effect *effect = create_effect();
+    set_field(effect, 1, 1, 1, 1, false);
+    ew_frame_desc frame = make_turned_frame(EW_OUTPUT_LUMINANCE);
+    picture drawn, expected;
+    draw_expected(effect, &frame, &expected);
+    frame.output = EW_OUTPUT_SURFACES;
+    frame.light_reach = 3;
+    GLuint program = build_for_frame(effect, NULL, &frame, luminance_main);
+    host_draw(program, effect, &frame, &drawn);
+    gl.DeleteProgram(program);
+    expect_same(&drawn, &expected, 1);
+    ew_destroy_effect(effect);
+}
+
 static void bad_arguments_are_errors_that_change_nothing(void **state)
 {
     (void)state;
@@ -528,6 +546,7 @@ int main(int argc, char **argv)
         cmocka_unit_test(a_hosts_shader_has_the_media_of_ew_draw),
         cmocka_unit_test(world_rays_may_start_anywhere_and_be_of_any_length),
         cmocka_unit_test(the_buffer_keeps_its_name_and_the_host_its_binding),
+        cmocka_unit_test(the_output_of_the_frame_does_not_matter),
         cmocka_unit_test(bad_arguments_are_errors_that_change_nothing),
         cmocka_unit_test(gl_has_nothing_to_say),
     };

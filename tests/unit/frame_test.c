@@ -407,6 +407,23 @@ static void light_on_surfaces_out_of_range_is_refused(void **state)
     expect_taken(&frame);
 }
 
+static void light_on_surfaces_that_is_no_number_is_refused(void **state)
+{
+    (void)state;
+    static const double none[] = {NAN, HUGE_VAL, -HUGE_VAL};
+    for (size_t i = 0; i < sizeof none / sizeof none[0]; ++i) {
+        ew_frame_desc frame = good_frame();
+        frame.light_gain = none[i];
+        expect_refused(&frame, "light_gain");
+        frame = good_frame();
+        frame.light_reach = none[i];
+        expect_refused(&frame, "light_reach");
+        frame = good_frame();
+        frame.shadow_thickness = none[i];
+        expect_refused(&frame, "shadow_thickness");
+    }
+}
+
 /* Light on surfaces is found from their depth, and ends somewhere. */
 static void surfaces_without_depth_or_reach_are_refused(void **state)
 {
@@ -605,6 +622,7 @@ int main(void)
         cmocka_unit_test(core_pixels_out_of_range_are_refused),
         cmocka_unit_test(exposure_out_of_range_is_refused),
         cmocka_unit_test(light_on_surfaces_out_of_range_is_refused),
+        cmocka_unit_test(light_on_surfaces_that_is_no_number_is_refused),
         cmocka_unit_test(surfaces_without_depth_or_reach_are_refused),
         cmocka_unit_test(fog_out_of_range_is_refused),
         cmocka_unit_test(fog_by_height_needs_a_direction_up),

@@ -337,6 +337,30 @@ static void a_normal_that_is_none_is_dark(void **state)
     gl.DeleteTextures(1, &frame.normal_texture);
 }
 
+/* However far light reaches, where there is no surface nothing is lit, and a depth that is no number is no surface. */
+static void where_there_is_no_surface_nothing_is_lit(void **state)
+{
+    (void)state;
+    static stage_picture drawn;
+    static GLfloat nothing[PIXELS];
+    ew_frame_desc frame = lit_frame(false);
+    frame.light_reach = 1e6;
+    frame.shadow_thickness = 1;
+    stage_set(&scenes[SCENE_COUNT - 1].sources);
+    for (int is_linear = 0; is_linear < 2; is_linear++) {
+        const GLfloat far[2] = {1, (GLfloat)INFINITY};
+        for (int i = 0; i < PIXELS; i++)
+            nothing[i] = is_linear && i % 2 ? (GLfloat)NAN : far[is_linear];
+        frame.depth_source = is_linear ? EW_DEPTH_TEXTURE_LINEAR : EW_DEPTH_TEXTURE;
+        frame.depth_texture = is_linear ? make_texture(GL_R32F, GL_RED, GL_FLOAT, nothing)
+                                        : make_texture(GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, GL_FLOAT, nothing);
+        stage_draw(&frame, albedo, drawn);
+        for (int i = 0; i < PIXELS; i++)
+            assert_memory_equal(drawn[i / STAGE_WIDTH][i % STAGE_WIDTH], albedo, sizeof albedo);
+        gl.DeleteTextures(1, &frame.depth_texture);
+    }
+}
+
 static void view_depth_and_a_copied_depth_light_the_same(void **state)
 {
     (void)state;
@@ -531,6 +555,7 @@ int main(int argc, char **argv)
         cmocka_unit_test(surfaces_are_lit_by_what_they_receive),
         cmocka_unit_test(normals_of_the_host_are_taken_in_each_encoding),
         cmocka_unit_test(a_normal_that_is_none_is_dark),
+        cmocka_unit_test(where_there_is_no_surface_nothing_is_lit),
         cmocka_unit_test(view_depth_and_a_copied_depth_light_the_same),
         cmocka_unit_test(things_cast_shadows),
         cmocka_unit_test(surfaces_cast_no_shadows_on_themselves),

@@ -17,6 +17,7 @@ typedef struct shape_place {
 typedef struct emitter {
     const reference_surface *surface;
     double core, reach;
+    bool is_faced;                /* by a surface that turns to every place of the source */
     const reference_gloss *gloss; /* NULL: a diffuse surface */
     void (*at)(const struct emitter *emitter, double t, shape_place *place);
     const void *source;
@@ -34,13 +35,12 @@ static double falloff(const emitter *e, double distance)
 static double light_from(const emitter *e, const double position[3])
 {
     double offset[3];
-    for (int i = 0; i < 3; i++)
-        offset[i] = position[i] - e->surface->position[i];
-    double distance = sqrt(vector_dot(offset, offset));
-    double facing = vector_dot(e->surface->normal, offset);
-    if (distance == 0 || facing <= 0) return 0;
-    if (!e->gloss) return facing / distance * falloff(e, distance);
-    double cosine = fmax(0, vector_dot(e->gloss->mirrored, offset)) / distance;
+    vector_subtract(position, e->surface->position, offset);
+    double distance = vector_length(offset);
+    double facing = e->is_faced ? 1 : distance > 0 ? vector_dot(e->surface->normal, offset) / distance : 0;
+    if (facing <= 0) return 0;
+    if (!e->gloss) return facing * falloff(e, distance);
+    double cosine = e->is_faced ? 1 : fmax(0, vector_dot(e->gloss->mirrored, offset)) / distance;
     return (e->gloss->exponent + 1) / (4 * asin(1)) * pow(cosine, e->gloss->exponent) * falloff(e, distance);
 }
 
@@ -51,6 +51,16 @@ static double integrand(const emitter *e, double t)
     return place.weight * place.speed * light_from(e, place.position);
 }
 
+/* Whether a part is short beside the way to its middle or, in the core, beside that: there no peak falls between its places. */
+static bool is_short(const emitter *e, double from, double to)
+{
+    shape_place place;
+    double offset[3];
+    e->at(e, 0.5 * (from + to), &place);
+    vector_subtract(place.position, e->surface->position, offset);
+    return place.speed * (to - from) <= 0.5 * fmax(e->core, vector_length(offset));
+}
+
 /* ---- Quadrature ---- */
 
 static double refine(const emitter *e, double from, double to, const double f[3], double whole, double tolerance, int depth)
@@ -59,27 +69,28 @@ static double refine(const emitter *e, double from, double to, const double f[3]
     double f_left = integrand(e, left), f_right = integrand(e, right), sixth = (to - from) / 12;
     double first = sixth * (f[0] + 4 * f_left + f[1]), second = sixth * (f[1] + 4 * f_right + f[2]);
     double error = (first + second - whole) / 15;
-    if (depth == 0 || fabs(error) <= tolerance) return first + second + error;
+    if (depth == 0 || (fabs(error) <= tolerance && is_short(e, from, to))) return first + second + error;
     return refine(e, from, middle, (double[]){f[0], f_left, f[1]}, first, 0.5 * tolerance, depth - 1) +
            refine(e, middle, to, (double[]){f[1], f_right, f[2]}, second, 0.5 * tolerance, depth - 1);
 }
 
-/* Simpson's rule on parts of equal length, each refined until it is good to 1e-5 of the whole. */
-static double integrate(const emitter *e, double from, double to, int parts)
+/* Simpson's rule on short parts, good to 1e-6 of what a surface that turns to all of the source would get. That is found first,
+ * by short parts alone. */
+static double integrate(emitter *e, double from, double to)
 {
-    enum { MAX_PARTS = 4096, DEPTH = 24 };
-    double step = (to - from) / parts, rough = 0;
+    enum { PARTS = 8, DEPTH = 32 };
+    double step = (to - from) / PARTS, tolerance = HUGE_VAL, sum = 0;
     for (int pass = 0; pass < 2; pass++) {
-        double sum = 0, tolerance = pass == 0 ? HUGE_VAL : fmax(1e-5 * rough / parts, 1e-12);
-        for (int i = 0; i < parts; i++) {
+        e->is_faced = pass == 0;
+        sum = 0;
+        for (int i = 0; i < PARTS; i++) {
             double a = from + i * step, b = a + step;
             const double f[3] = {integrand(e, a), integrand(e, 0.5 * (a + b)), integrand(e, b)};
-            double whole = step / 6 * (f[0] + 4 * f[1] + f[2]);
-            sum += refine(e, a, b, f, whole, tolerance, pass == 0 ? 0 : DEPTH);
+            sum += refine(e, a, b, f, step / 6 * (f[0] + 4 * f[1] + f[2]), tolerance, DEPTH);
         }
-        rough = sum;
+        tolerance = 1e-6 * sum / PARTS;
     }
-    return rough;
+    return sum;
 }
 
 /* ---- Shapes ---- */
@@ -155,7 +166,6 @@ static void add(double light, const double color[3], double irradiance[3])
 void reference_irradiance(const ew_sources_desc *sources, double light_reach, const reference_surface *surface,
                           const reference_gloss *gloss, double irradiance[3])
 {
-    enum { PARTS = 64 };
     emitter e = {.surface = surface, .reach = light_reach, .gloss = gloss};
     irradiance[0] = irradiance[1] = irradiance[2] = 0;
     for (size_t i = 0; i < sources->point_count; i++) {
@@ -167,20 +177,20 @@ void reference_irradiance(const ew_sources_desc *sources, double light_reach, co
         e.source = &sources->lines[i];
         e.at = on_line;
         e.core = CORE(&sources->lines[i], sources);
-        ADD(&sources->lines[i], integrate(&e, -light_reach, light_reach, PARTS));
+        ADD(&sources->lines[i], integrate(&e, -light_reach, light_reach));
     }
     for (size_t i = 0; i < sources->torus_count; i++) {
         e.source = &sources->tori[i];
         e.at = on_torus;
         e.core = CORE(&sources->tori[i], sources);
-        ADD(&sources->tori[i], integrate(&e, 0, 2 * acos(-1), PARTS));
+        ADD(&sources->tori[i], integrate(&e, 0, 2 * acos(-1)));
     }
     for (size_t i = 0; i < sources->curve_count; i++) {
         const ew_curve *curve = &sources->curves[i];
         e.source = curve;
         e.at = on_curve;
         e.core = CORE(curve, sources);
-        ADD(curve, integrate(&e, curve->domain[0], curve->domain[1], PARTS));
+        ADD(curve, integrate(&e, curve->domain[0], curve->domain[1]));
     }
     for (size_t i = 0; i < sources->path_count; i++) {
         const ew_path *path = &sources->paths[i];
@@ -189,7 +199,7 @@ void reference_irradiance(const ew_sources_desc *sources, double light_reach, co
         e.at = on_path;
         e.core = CORE(path, sources);
         for (e.span = 0; e.span < path_span_count(path); e.span++)
-            sum += integrate(&e, 0, 1, PARTS);
+            sum += integrate(&e, 0, 1);
         ADD(path, sum);
     }
 }
