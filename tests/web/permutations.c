@@ -65,11 +65,12 @@ enum {
     EVALUATIONS = 1 << 14,
     PLAIN = 1 << 15, /* not dithered */
     SRGB = 1 << 16,
-    OPTIONS = 17
+    MEDIA = 1 << 17,
+    OPTIONS = 18
 };
 static const char *const option_names[OPTIONS] = {"interval", "reach",     "sharpness",   "core_pixels", "fog",     "height",
                                                   "no depth", "adaptive",  "Simpson",     "surfaces",    "shadows", "normals",
-                                                  "lerp",     "luminance", "evaluations", "plain",       "sRGB"};
+                                                  "lerp",     "luminance", "evaluations", "plain",       "sRGB",    "media"};
 
 typedef struct frame_case {
     int shape;
@@ -91,7 +92,7 @@ static const unsigned outputs[] = {
     LERP, LUMINANCE, EVALUATIONS, PLAIN, SRGB, NO_DEPTH, NO_DEPTH | LERP | SRGB, SHARP | LUMINANCE};
 enum { OUTPUTS = sizeof outputs / sizeof outputs[0] };
 
-static frame_case cases[SHAPES * (INTEGRALS + 4) + OUTPUTS];
+static frame_case cases[SHAPES * (INTEGRALS + 4) + OUTPUTS + 4];
 static int case_count;
 
 static void add_case(int shape, unsigned options)
@@ -118,6 +119,10 @@ EMSCRIPTEN_KEEPALIVE int count_frames(void)
     }
     for (int i = 0; i < OUTPUTS; ++i)
         add_case(POINT, REACH | outputs[i]);
+    add_case(POINT, REACH | MEDIA);
+    add_case(POINT, INTERVAL | MEDIA | FOG | HEIGHT);
+    add_case(BENT, REACH | MEDIA | CORE_PIXELS);
+    add_case(WEIGHTED_CURVE, REACH | MEDIA | ADAPTIVE);
     return case_count;
 }
 
@@ -256,6 +261,12 @@ static ew_frame_desc frame_of(unsigned options)
     frame.shadow_thickness = options & SHADOWS ? 0.5 : 0;
     if (options & FOG) frame.fog.extinction = 0.2;
     if (options & HEIGHT) frame.fog.scale = 1;
+    if (options & MEDIA) {
+        static const ew_medium ball = {
+            .shape = EW_MEDIUM_ELLIPSOID, .half_axes = {{0.5, 0, 0}, {0, 0.5, 0}, {0, 0, 0.5}}, .extinction = 0.5};
+        frame.media = &ball;
+        frame.medium_count = 1;
+    }
     frame.integrator = options & SIMPSON ? EW_INTEGRATOR_SIMPSON : EW_INTEGRATOR_ADAPTIVE;
     frame.resolution = options & ADAPTIVE ? EW_RESOLUTION_ADAPTIVE : EW_RESOLUTION_FULL;
     set_output(&frame, options);
