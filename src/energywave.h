@@ -729,8 +729,8 @@ EW_API ew_result ew_prepare_step(ew_effect *effect, const ew_mix *mix, const ew_
  * mix:        the sources that the shader can draw; NULL means the effect's current ones. The sources in the buffer must match
  *             it: exactly as many of a kind where the mix has an exact count, no weights where has_weights is 0, and has_reach
  *             as they need it, because the block's layout depends on it.
- * frame:      which integral the text computes, and by which integrator; core_pixels, if they are 0; whether there is fog, even or
- *             by height, or a light_reach, or are media. All else comes from the buffer.
+ * frame:      which integral the text computes, and by which integrator; core_pixels, if they are 0; whether there is fog,
+ *             even or by height, or a light_reach, or are media. All else comes from the buffer.
  * text:       receives a string that belongs to the effect and is valid until the next call of this function. Unchanged on
  *             failure.
  *
@@ -742,8 +742,8 @@ EW_API ew_result ew_get_shader_text(ew_effect *effect, const ew_mix *mix, const 
 /* Fills the buffer of the block `ew_uniforms` with the frame and the current sources.
  *
  * frame:  as for ew_draw, whichever output it has: a frame of EW_OUTPUT_SURFACES will do, too. What it says of the target, of
- *         depth and of shadows does not matter, but for the viewport, by whose pixels core_pixels counts. Sources must be within
- *         1e6 times the interval's length.
+ *         depth and of shadows does not matter, but for the viewport, by whose pixels core_pixels counts. Sources must be
+ *         within 1e6 times the interval's length.
  * buffer: receives the buffer's name. Unchanged on failure. The buffer belongs to the effect, is always the same one, and keeps
  *         its contents until the next call of ew_draw, ew_prepare or this function.
  * Errors: INVALID_ARGUMENT, TOO_MANY_SOURCES if the context's uniform blocks are too small for the sources.

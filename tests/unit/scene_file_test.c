@@ -424,6 +424,15 @@ static void a_fault_is_named_with_its_place(void **state)
         {WORLD("\"fog\": { \"extinction\": 1, \"height\": {} }"), "fog.height.scale: "},
         {WORLD("\"fog\": { \"extinction\": 1, \"height\": { \"scale\": 0 } }"), "fog.height.scale: "},
         {WORLD("\"fog\": { \"extinction\": 1, \"height\": { \"scale\": 1, \"up\": [0, 0, 0] } }"), "fog.height.up: "},
+        {"[]", "must be a JSON object"},
+    };
+    check_faults(faults, sizeof faults / sizeof *faults);
+}
+
+static void a_fault_of_a_medium_is_named_with_its_place(void **state)
+{
+    (void)state;
+    static const scene_fault faults[] = {
         {WORLD("\"media\": {}"), "media: "},
         {WORLD("\"media\": [{ \"shape\": \"plane\" }]"), "media[0].shape: "},
         {WORLD("\"media\": [{ \"shape\": \"sphere\", \"center\": [0, 0, 0], \"radius\": 1 }]"), "media[0].extinction: "},
@@ -441,7 +450,6 @@ static void a_fault_is_named_with_its_place(void **state)
         {WORLD("\"media\": [{ " EGG
                ", \"radii\": [1, 1, 1], \"axes\": [[1, 0, 0], [0, 0, 0], [0, 0, 1]], \"extinction\": 1 }]"),
          "media[0].axes: "},
-        {"[]", "must be a JSON object"},
     };
     check_faults(faults, sizeof faults / sizeof *faults);
 }
@@ -595,6 +603,7 @@ int main(void)
         cmocka_unit_test(every_kind_of_path_and_composite_is_known_by_its_name),
         cmocka_unit_test(a_byte_order_mark_is_skipped_and_utf16_is_named),
         cmocka_unit_test(a_fault_is_named_with_its_place),
+        cmocka_unit_test(a_fault_of_a_medium_is_named_with_its_place),
         cmocka_unit_test(a_fault_of_a_sources_light_is_named_with_its_place),
         cmocka_unit_test(a_fault_of_a_path_is_named_with_its_place),
         cmocka_unit_test(a_path_has_a_largest_count_of_points_and_weights),
