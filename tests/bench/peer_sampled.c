@@ -32,7 +32,7 @@ static const ew_integrator_text *text_of(integrator_family family)
 }
 
 /* The shader's key: with lists of the sources by tile, if the library has them for these. */
-static unsigned key_of(const peer_sampled *peer, ew_output output)
+static ew_key key_of(const peer_sampled *peer, ew_output output)
 {
     ew_frame_desc frame = peer->frame;
     frame.output = output;
