@@ -16,7 +16,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { WIDTH = 12, HEIGHT = 10, VALUES = 4 * WIDTH * HEIGHT, DEFAULT_COUNT = 4000, SKIPPED = 77 };
+enum { WIDTH = 12, HEIGHT = 10, VALUES = 4 * WIDTH * HEIGHT, DEFAULT_COUNT = 3000, SKIPPED = 77 };
 
 static const shader_mix mixes[] = {
     {.counts = {[KIND_POINT] = 1}},
