@@ -210,8 +210,8 @@ static json_t *fog_of(json_writer *w, const ew_fog *fog)
     return object;
 }
 
-/* Whether half axes are those of the world, and of one length. */
-static bool is_block(const ew_medium *medium)
+/* Whether half axes are along those of the world, in their order. */
+static bool is_upright(const ew_medium *medium)
 {
     for (int i = 0; i < 9; i++)
         if (i % 4 != 0 && medium->half_axes[i / 3][i % 3] != 0) return false;
@@ -221,7 +221,7 @@ static bool is_block(const ew_medium *medium)
 static bool is_sphere(const ew_medium *medium)
 {
     double radius = medium->half_axes[0][0];
-    return is_block(medium) && medium->half_axes[1][1] == radius && medium->half_axes[2][2] == radius;
+    return is_upright(medium) && medium->half_axes[1][1] == radius && medium->half_axes[2][2] == radius;
 }
 
 /* A scene's boxes have the axes of the world: a file knows no others. */
@@ -246,7 +246,7 @@ static void put_body(json_writer *w, json_t *object, const ew_medium *medium)
             put(w, object, "radius", json_real(radii[0]));
         else
             put(w, object, "radii", numbers(w, radii, 3));
-        if (!is_block(medium)) put(w, object, "axes", json_incref(axes));
+        if (!is_upright(medium)) put(w, object, "axes", json_incref(axes));
     }
     json_decref(axes);
 }

@@ -47,9 +47,6 @@ vec4 ew_light(vec3 origin, vec3 direction, float opaque)
     vec3 start = ew_to_ray_space(origin, 1.0);
     vec3 step = ew_to_ray_space(direction, 0.0);
     ew_view_depth = vec2(ew_frame.core_floor.y - start.z, max(-step.z, 1e-6));
-#ifdef EW_FOG
-    ew_fog_begin = 0.0;
-#endif
     return ew_integrate_all(ew_segment(start, step, clamp(opaque, 0.0, 1e15)));
 }
 

@@ -23,31 +23,52 @@ float ew_leg_share = 1.0;
 vec2 ew_first_height = vec2(0.0);
 #endif
 
+// A ray in the space of a body: place + s step.
+struct ew_body_ray {
+    vec3 place;
+    vec3 step;
+};
+
+ew_body_ray ew_bring_to_body(ew_segment segment, ew_medium_block body)
+{
+    vec4 origin = vec4(segment.origin, 1.0);
+    return ew_body_ray(vec3(dot(body.row_x, origin), dot(body.row_y, origin), dot(body.row_z, origin)),
+                       vec3(dot(body.row_x.xyz, segment.direction), dot(body.row_y.xyz, segment.direction),
+                            dot(body.row_z.xyz, segment.direction)));
+}
+
+// Where it meets the planes of a cube's three slabs. Along a slab, a ray is in it all the way, or not at all.
+struct ew_slabs {
+    vec3 near;
+    vec3 far;
+    vec3 speed; // across them, not 0
+};
+
+ew_slabs ew_meet_slabs(ew_body_ray ray)
+{
+    vec3 speed = mix(ray.step, vec3(1e-30), lessThan(abs(ray.step), vec3(1e-30)));
+    vec3 first = (-1.0 - ray.place) / speed;
+    vec3 second = (1.0 - ray.place) / speed;
+    return ew_slabs(min(first, second), max(first, second), abs(speed));
+}
+
 // Where a line is in a body, from x to y, and z, how long that is, which the difference of x and y would not tell of a thin pane far away.
 // Of a ball it is a chord, of a cube what three slabs have in common. Empty, x >= y, where the line passes by.
 vec3 ew_chord_of_body(ew_segment segment, int i)
 {
-    ew_medium_block body = ew_media[i];
-    vec4 origin = vec4(segment.origin, 1.0);
-    vec3 place = vec3(dot(body.row_x, origin), dot(body.row_y, origin), dot(body.row_z, origin));
-    vec3 step = vec3(dot(body.row_x.xyz, segment.direction), dot(body.row_y.xyz, segment.direction), dot(body.row_z.xyz, segment.direction));
+    ew_body_ray ray = ew_bring_to_body(segment, ew_media[i]);
     if (i < ew_fog.bodies.y) {
-        // Along a slab, a ray is in it all the way, or not at all.
-        vec3 slow = mix(step, vec3(1e-30), lessThan(abs(step), vec3(1e-30)));
-        vec3 first = (-1.0 - place) / slow;
-        vec3 second = (1.0 - place) / slow;
-        vec3 near = min(first, second);
-        vec3 far = max(first, second);
-        vec2 chord = vec2(max(max(near.x, near.y), near.z), min(min(far.x, far.y), far.z));
-        vec3 width = 2.0 / abs(slow);
+        ew_slabs slabs = ew_meet_slabs(ray);
+        vec2 chord = vec2(max(max(slabs.near.x, slabs.near.y), slabs.near.z), min(min(slabs.far.x, slabs.far.y), slabs.far.z));
+        vec3 width = 2.0 / slabs.speed;
         float way = chord.y - chord.x;
         for (int slab = 0; slab < 3; ++slab)
-            way = mix(way, width[slab], near[slab] == chord.x && far[slab] == chord.y);
+            way = mix(way, width[slab], slabs.near[slab] == chord.x && slabs.far[slab] == chord.y);
         return vec3(chord, way);
     }
-    float k = max(ew_length_squared(step), 1e-30);
-    float middle = -dot(place, step) / k;
-    float half_chord = sqrt(max(1.0 - ew_length_squared(place + middle * step), 0.0) / k);
+    float k = max(ew_length_squared(ray.step), 1e-30);
+    float middle = -dot(ray.place, ray.step) / k;
+    float half_chord = sqrt(max(1.0 - ew_length_squared(ray.place + middle * ray.step), 0.0) / k);
     return vec3(middle - half_chord, middle + half_chord, 2.0 * half_chord);
 }
 

@@ -21,17 +21,15 @@ int ew_count_largest(vec4 values, vec4 error)
 
 // Whether some ray within a cell of this one may meet another face of a box, or pass it by, where this one does not, or the reverse.
 // `begin`: where the fog does.
-bool ew_is_near_edge_of_box(ew_medium_block body, vec3 place, vec3 step, float begin, float end)
+bool ew_is_near_edge_of_box(ew_medium_block body, ew_body_ray ray, float begin, float end)
 {
-    vec3 slow = mix(step, vec3(1e-30), lessThan(abs(step), vec3(1e-30)));
-    vec3 first = (-1.0 - place) / slow;
-    vec3 second = (1.0 - place) / slow;
-    vec3 near = clamp(min(first, second), -1e15, 1e15);
-    vec3 far = clamp(max(first, second), -1e15, 1e15);
+    ew_slabs slabs = ew_meet_slabs(ray);
+    vec3 near = clamp(slabs.near, -1e15, 1e15);
+    vec3 far = clamp(slabs.far, -1e15, 1e15);
     vec3 near_error, far_error;
     for (int face = 0; face < 3; ++face) {
-        near_error[face] = ew_cell_in_body(body, clamp(near[face], begin, end))[face] / abs(slow[face]);
-        far_error[face] = ew_cell_in_body(body, clamp(far[face], begin, end))[face] / abs(slow[face]);
+        near_error[face] = ew_cell_in_body(body, clamp(near[face], begin, end))[face] / slabs.speed[face];
+        far_error[face] = ew_cell_in_body(body, clamp(far[face], begin, end))[face] / slabs.speed[face];
     }
     vec3 first_near = near - near_error;
     vec3 last_far = far + far_error;
@@ -46,15 +44,14 @@ bool ew_is_near_edge_of_box(ew_medium_block body, vec3 place, vec3 step, float b
 }
 
 // The same of an ellipsoid's silhouette.
-bool ew_is_near_edge_of_ball(ew_medium_block body, vec3 place, vec3 step, float begin, float end)
+bool ew_is_near_edge_of_ball(ew_medium_block body, ew_body_ray ray, float begin, float end)
 {
-    float k = max(ew_length_squared(step), 1e-30);
-    float middle = -dot(place, step) / k;
-    vec3 cell = ew_cell_in_body(body, clamp(middle, begin, end));
-    float error = length(cell);
+    float k = max(ew_length_squared(ray.step), 1e-30);
+    float middle = -dot(ray.place, ray.step) / k;
+    float error = length(ew_cell_in_body(body, clamp(middle, begin, end)));
     float way = 1.0 / sqrt(k);
     bool is_on_ray = middle + way > begin && middle - way < end;
-    return is_on_ray && abs(length(place + middle * step) - 1.0) < error;
+    return is_on_ray && abs(length(ray.place + middle * ray.step) - 1.0) < error;
 }
 
 bool ew_is_near_edge(ew_segment segment)
@@ -62,11 +59,9 @@ bool ew_is_near_edge(ew_segment segment)
     bool is_near = false;
     for (int i = 0; i < EW_MEDIUM_ROOM && i < ew_fog.bodies.x; ++i) {
         ew_medium_block body = ew_media[i];
-        vec4 origin = vec4(segment.origin, 1.0);
-        vec3 place = vec3(dot(body.row_x, origin), dot(body.row_y, origin), dot(body.row_z, origin));
-        vec3 step = vec3(dot(body.row_x.xyz, segment.direction), dot(body.row_y.xyz, segment.direction), dot(body.row_z.xyz, segment.direction));
-        if (i < ew_fog.bodies.y) is_near = is_near || ew_is_near_edge_of_box(body, place, step, ew_fog_begin, segment.end);
-        else is_near = is_near || ew_is_near_edge_of_ball(body, place, step, ew_fog_begin, segment.end);
+        ew_body_ray ray = ew_bring_to_body(segment, body);
+        if (i < ew_fog.bodies.y) is_near = is_near || ew_is_near_edge_of_box(body, ray, ew_fog_begin, segment.end);
+        else is_near = is_near || ew_is_near_edge_of_ball(body, ray, ew_fog_begin, segment.end);
     }
     return is_near;
 }

@@ -244,7 +244,6 @@ ew_result ew_plan_media(ew_plan *plan, const ew_frame_desc *frame, bool *draws, 
     if (result == EW_OK) result = pack_air(frame, &view, &rays, &plan->uniforms, error);
     if (result != EW_OK) return result;
     plan->uniforms.frame.decay.w = (float)((space.interval.end - space.interval.start) / space.unit);
-    plan->depths = space.interval;
     pack_viewport(plan, frame, &space);
     const ew_bounds seen = ew_find_media_bounds(frame->media, frame->medium_count, &view, &plan->lit);
     set_lit(plan, &(ew_viewport){seen.x, seen.y, seen.width, seen.height});

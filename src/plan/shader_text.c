@@ -235,7 +235,8 @@ static void add_light(ew_shader_text *text, ew_key key, const ew_integrator_text
     }
     for (int i = 0; integrator->before[i]; ++i)
         add_file(text, integrator->before[i]);
-    if (key & EW_PERMUTATION_MEDIA && has_grid) add_file(text, ew_glsl_media_edge_glsl);
+    /* Of the grid's passes, the one that finds the field of the nodes is the one that samples. */
+    if (key & EW_PERMUTATION_MEDIA && has_grid && integrator->is_sampling) add_file(text, ew_glsl_media_edge_glsl);
     add_kinds(text, key, integrator);
     add_file(text, ew_glsl_light_glsl);
 }
@@ -402,8 +403,12 @@ static void write_media_shader(ew_shader_text *text, const ew_dialect *dialect, 
 
 void ew_write_fragment_shader(ew_shader_text *text, const ew_dialect *dialect, ew_pass pass, ew_key key)
 {
-    if (pass == EW_PASS_SURFACES || pass == EW_PASS_MEDIA) {
-        (pass == EW_PASS_MEDIA ? write_media_shader : write_surface_shader)(text, dialect, key);
+    if (pass == EW_PASS_SURFACES) {
+        write_surface_shader(text, dialect, key);
+        return;
+    }
+    if (pass == EW_PASS_MEDIA) {
+        write_media_shader(text, dialect, key);
         return;
     }
     if (integrates(pass)) {

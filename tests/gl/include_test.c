@@ -359,8 +359,9 @@ static void a_hosts_shader_has_the_media_of_ew_draw(void **state)
         frame.medium_count = 2;
         if (i % 2 == 1) frame.fog = (ew_fog){.extinction = 0.3, .up = {0, 2, 0}, .base = far_away[1], .scale = 2};
         set_world_field(effect);
-        /* Over black: the media's light pales by B, as the composite says. */
+        /* Over black: the media's light pales by B, as the composite says. A call leaves nothing behind for the next one. */
         const char *light = i < 2 ? "vec4 light = ew_light(vec3(0.0), direction, 1e30);\n"
+                                    "light = ew_light(vec3(0.0), direction, 1e30);\n"
                                   : "vec4 light = ew_light(vec3(0.0), direction, vec2(2.0, 10.0), 1e30);\n";
         char main_text[400];
         snprintf(main_text, sizeof main_text,
