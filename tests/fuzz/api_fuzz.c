@@ -80,7 +80,7 @@ static const shader_mix mixes[] = {
 enum { MIX_COUNT = sizeof mixes / sizeof mixes[0] };
 
 /* Of every so many cases one is in fog, or among media. */
-static const shader_mix fog_mixes[] = {
+static const shader_mix air_mixes[] = {
     {.count_of_each = 1, .weighted = true, .has_fog = true, .output = EW_OUTPUT_LUMINANCE},
     {.count_of_each = 5,
      .field = FIELD_WORLD,
@@ -99,7 +99,7 @@ static const shader_mix fog_mixes[] = {
      .depth = DEPTH_FRAMEBUFFER},
     {.count_of_each = 1, .has_media = true, .output = EW_OUTPUT_SOFT, .depth = DEPTH_MULTISAMPLE, .dither = true},
 };
-enum { FOG_MIX_COUNT = sizeof fog_mixes / sizeof fog_mixes[0], FOG_INTERVAL = 8 };
+enum { AIR_MIX_COUNT = sizeof air_mixes / sizeof air_mixes[0], AIR_INTERVAL = 8 };
 
 typedef struct fuzzer {
     const gl_functions *gl;
@@ -386,7 +386,7 @@ static void run_case(fuzzer *f)
 {
     f->random = f->number;
     const shader_mix *mix = &mixes[random_index(&f->random, MIX_COUNT)];
-    if (f->number % FOG_INTERVAL == 0) mix = &fog_mixes[f->number / FOG_INTERVAL % FOG_MIX_COUNT];
+    if (f->number % AIR_INTERVAL == 0) mix = &air_mixes[f->number / AIR_INTERVAL % AIR_MIX_COUNT];
     bool extreme = random_index(&f->random, 2) == 0;
     random_desc desc = {.sources = {0}};
     fill_target(f);

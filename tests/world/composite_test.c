@@ -124,20 +124,6 @@ static void sharpness_shapes_a_sources_luminance(void **state)
 
 /* ---- Depth -------------------------------------------------------------------------------------------------------------- */
 
-/* Of one window depth everywhere. */
-static GLuint make_depth(double depth)
-{
-    static GLfloat depths[STAGE_HEIGHT][STAGE_WIDTH];
-    for (int i = 0; i < STAGE_WIDTH * STAGE_HEIGHT; i++)
-        depths[i / STAGE_WIDTH][i % STAGE_WIDTH] = (GLfloat)depth;
-    GLuint texture;
-    gl.GenTextures(1, &texture);
-    gl.BindTexture(GL_TEXTURE_2D, texture);
-    gl.TexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT32F, STAGE_WIDTH, STAGE_HEIGHT, 0, GL_DEPTH_COMPONENT, GL_FLOAT, depths);
-    gl.BindTexture(GL_TEXTURE_2D, 0);
-    return texture;
-}
-
 /* A projection by its row for clip z, with its window depths. */
 typedef struct lens {
     const char *name;
@@ -210,7 +196,7 @@ static void a_wall_cuts_the_light(void **state)
     for (int i = 0; i < LENS_COUNT; i++)
         for (size_t w = 0; w < sizeof walls / sizeof walls[0]; w++) {
             ew_frame_desc frame = frame_of(&lenses[i]);
-            frame.depth_texture = make_depth(window_depth(&lenses[i], walls[w]));
+            frame.depth_texture = stage_make_depth(window_depth(&lenses[i], walls[w]));
             stage_measure(&frame, found);
             gl.DeleteTextures(1, &frame.depth_texture);
             double worst = 0;
@@ -239,7 +225,7 @@ static void what_lies_beyond_the_far_plane_shines_where_depth_is_cleared(void **
             ew_frame_desc frame = frame_of(&lenses[i]);
             stage_measure(&frame, open);
             assert_true(stage_peak(open) > 0.1);
-            frame.depth_texture = make_depth(lenses[i].is_reversed ? 0 : 1);
+            frame.depth_texture = stage_make_depth(lenses[i].is_reversed ? 0 : 1);
             stage_measure(&frame, cleared);
             gl.DeleteTextures(1, &frame.depth_texture);
             double difference = stage_difference(cleared, open);
@@ -258,7 +244,7 @@ static void a_wall_hides_what_lies_beyond_the_far_plane(void **state)
     set_orb_at(-30);
     for (int i = 0; i < LENS_COUNT; i++) {
         ew_frame_desc frame = frame_of(&lenses[i]);
-        frame.depth_texture = make_depth(window_depth(&lenses[i], 7));
+        frame.depth_texture = stage_make_depth(window_depth(&lenses[i], 7));
         stage_measure(&frame, found);
         gl.DeleteTextures(1, &frame.depth_texture);
         assert_true(stage_peak(found) == 0);

@@ -209,8 +209,7 @@ static void expect_picture(const ew_frame_desc *frame, double wall, stage_pictur
                 bool is_alpha = i == 3, is_lerp = frame->output == EW_OUTPUT_LERP;
                 double back = (double)behind[i], seen = passed.through_bodies * back,
                        sum = light ? (double)light[row][column][i] : 0;
-                double expected = is_alpha ? (is_lerp ? 1 - (1 - covered) * passed.through_bodies * (1 - back) : back)
-                                           : seen + passed.light[i];
+                double expected = is_alpha ? back : seen + passed.light[i];
                 if (is_alpha && is_lerp) expected = (1 - covered) * (seen + 1 - passed.through_bodies) + covered;
                 if (!is_alpha && is_lerp) expected = (1 - covered) * expected + sum;
                 if (!is_alpha && frame->output == EW_OUTPUT_ADD) expected += sum;
@@ -273,19 +272,10 @@ static void light_is_drawn_over_bodies(void **state)
     }
 }
 
-static GLuint make_depth(const ew_frame_desc *frame, double depth)
+static GLuint make_wall(const ew_frame_desc *frame, double depth)
 {
-    static GLfloat depths[STAGE_HEIGHT][STAGE_WIDTH];
     const double *p = frame->projection;
-    double window = 0.5 + 0.5 * (-p[10] * depth + p[14]) / (p[11] == 0 ? 1 : depth);
-    for (int i = 0; i < STAGE_WIDTH * STAGE_HEIGHT; i++)
-        depths[i / STAGE_WIDTH][i % STAGE_WIDTH] = (GLfloat)window;
-    GLuint texture;
-    gl.GenTextures(1, &texture);
-    gl.BindTexture(GL_TEXTURE_2D, texture);
-    gl.TexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT32F, STAGE_WIDTH, STAGE_HEIGHT, 0, GL_DEPTH_COMPONENT, GL_FLOAT, depths);
-    gl.BindTexture(GL_TEXTURE_2D, 0);
-    return texture;
+    return stage_make_depth(0.5 + 0.5 * (-p[10] * depth + p[14]) / (p[11] == 0 ? 1 : depth));
 }
 
 static void what_is_opaque_ends_bodies(void **state)
@@ -297,7 +287,7 @@ static void what_is_opaque_ends_bodies(void **state)
     for (int i = 0; i < 6; i++) {
         ew_frame_desc frame = frame_with_bodies(EW_OUTPUT_LERP);
         if (i % 2) make_parallel(&frame);
-        frame.depth_texture = make_depth(&frame, walls[i / 2]);
+        frame.depth_texture = make_wall(&frame, walls[i / 2]);
         stage_draw(&frame, behind, found);
         gl.DeleteTextures(1, &frame.depth_texture);
         expect_picture(&frame, walls[i / 2], NULL, NULL, found);
@@ -316,7 +306,7 @@ static void bodies_before_all_that_is_opaque_or_behind_the_eye_change_nothing(vo
     ew_frame_desc frame = frame_with_bodies(EW_OUTPUT_LERP);
     frame.media = far_off;
     frame.medium_count = 2;
-    frame.depth_texture = make_depth(&frame, 9);
+    frame.depth_texture = make_wall(&frame, 9);
     stage_draw(&frame, behind, found);
     gl.DeleteTextures(1, &frame.depth_texture);
     for (int i = 0; i < STAGE_VALUES; i++)

@@ -143,3 +143,16 @@ double stage_orb(double brightness, double core, double reach, double miss, doub
                  simpson(core, reach, miss, -half_core, fmin(last, half_core)) + simpson(core, reach, miss, half_core, last);
     return brightness / (2 * log(reach / core)) * sum;
 }
+
+GLuint stage_make_depth(double depth)
+{
+    static GLfloat depths[STAGE_HEIGHT][STAGE_WIDTH];
+    for (int i = 0; i < STAGE_WIDTH * STAGE_HEIGHT; i++)
+        depths[i / STAGE_WIDTH][i % STAGE_WIDTH] = (GLfloat)depth;
+    GLuint texture;
+    gl.GenTextures(1, &texture);
+    gl.BindTexture(GL_TEXTURE_2D, texture);
+    gl.TexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT32F, STAGE_WIDTH, STAGE_HEIGHT, 0, GL_DEPTH_COMPONENT, GL_FLOAT, depths);
+    gl.BindTexture(GL_TEXTURE_2D, 0);
+    return texture;
+}

@@ -48,4 +48,7 @@ double stage_ray_distance(double distance, int column, int row);
  * definition, by Simpson's rule on each side of the core's edges. */
 double stage_orb(double brightness, double core, double reach, double miss, double end);
 
+/* A depth texture for the target, of one window depth everywhere. The caller deletes it. */
+GLuint stage_make_depth(double depth);
+
 #endif
