@@ -597,9 +597,9 @@ typedef struct ew_frame_desc {
  * Errors: INVALID_ARGUMENT, OUT_OF_MEMORY, SHADER, OPENGL (for example, the framebuffer is incomplete). If depth_texture is not
  *         the kind of texture that depth_source says, GL records an error of its own; ew_draw clears it, together with any that
  *         the host may have left in GL's error flag.
- * GL:     the context must be current. The first draw with a new combination of source mix, integrator, output, depth and
- *         dither compiles a shader, unless ew_prepare already has. Leaves all state as it was (but see skip_restore), and
- *         changes only the colour of the framebuffer's first draw buffer. */
+ * GL:     the context must be current. The first draw with a new combination of what ew_prepare names compiles a shader,
+ *         unless ew_prepare already has. Leaves all state as it was (but see skip_restore), and changes only the colour of the
+ *         framebuffer's first draw buffer. */
 EW_API ew_result ew_draw(ew_effect *effect, const ew_frame_desc *frame, ew_error *error);
 
 /* What the sources can light of a frame: a rectangle of the viewport, in pixels of the target, and view depths. */
@@ -609,9 +609,9 @@ typedef struct ew_bounds {
     double depth_end;        /* HUGE_VAL: without end, as infinite lines */
 } ew_bounds;
 
-/* Says what the sources can light at the most (with EW_OUTPUT_SURFACES, on surfaces within the light_reach), so that the host
- * can skip the draw, set a scissor, or sort. In the papers' integral a source without a reach lights everything in the
- * interval.
+/* Says what the sources can light at the most (with EW_OUTPUT_SURFACES, on surfaces within the light_reach), and where a
+ * picture's media are seen, so that the host can skip the draw, set a scissor, or sort. In the papers' integral a source
+ * without a reach lights everything in the interval.
  *
  * frame:  as ew_draw would take it.
  * bounds: receives the bounds; unchanged on failure.
@@ -644,8 +644,9 @@ typedef struct ew_mix {
 /* Compiles ahead of time, so that ew_draw need not wait: starts to compile the shader that draws `mix` as `frame` says, and
  * reports whether it is ready. Call it again, every frame or so, until it is.
  *
- * A shader depends on the mix and on the frame's integrator, output, depth and dither. The driver may also finish it only for
- * the context and the framebuffer format of its first draw. Everything else in `frame` and in the sources may change freely.
+ * A shader depends on the mix, on the frame's integrator, output, depth and dither, and on whether it has an interval,
+ * core_pixels, fog, even or by height, and media. The driver may also finish it only for the context and the framebuffer format
+ * of its first draw. Everything else in `frame` and in the sources may change freely.
  *
  * If the shader for exactly the effect's sources is ready, ew_draw uses it; or else a more general one that is ready. Only if
  * there is neither does it wait for the compiler. So a host whose sources come and go prepares a general mix while it loads,

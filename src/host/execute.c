@@ -280,7 +280,8 @@ static prepared_plan prepare(const ew_device *device, const plan_task *task, con
     return prepared;
 }
 
-/* All that can fail comes before the first plan is drawn. */
+/* The programs of all plans come before the first is drawn, so that a shader that fails leaves no half of a picture; but for
+ * the one that takes a grid's place where the driver refuses its textures. */
 static ew_result draw_in_state(ew_device *device, const plan_task *task, ew_gl_state *state, ew_error *error)
 {
     const ew_gl *gl = &device->gl;
