@@ -94,7 +94,7 @@ float ew_longest_in_fog(float s, float along, float depth)
 
 vec4 ew_transmittance_of(vec4 optical_depth)
 {
-    return exp2(-1.44269504 * clamp(optical_depth, 0.0, 100.0));
+    return exp2(-1.44269504 * optical_depth);
 }
 
 // The share of the light at s that reaches the place where the fog begins.
