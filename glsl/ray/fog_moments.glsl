@@ -165,7 +165,7 @@ float ew_longest_quintic(float s)
     float scale = 1.0 / steepness;
     float way = mix(0.7, 1.0, ew_tolerance() > 3e-4) * min(min(1.9 * scale, before + 0.3 * scale), 2.0 * depth);
 #ifdef EW_FOG_HEIGHT
-    way = max(way, ew_way_through_thin_fog(s, 1.0));
+    way = max(min(way, 2.4 * abs(ew_fog_inverse_rise)), ew_way_through_thin_fog(s, 1.0));
 #endif
     return way;
 }
@@ -200,7 +200,7 @@ float ew_integrate_panel(float b2, float k, float s0, vec2 panel, float inverse_
     bool is_long = abs(ew_fog_rise) * size > 2.5;
     vec2 x = mix(-ew_fog_rise * way, vec2(0.0), bvec2(is_long));
     float middle = mix(fog.y, 0.0, is_long);
-    vec2 mean = 1.0 + x * (0.5 + x * (0.16666667 + x * (0.041666667 + x * (0.0083333333 + x * (0.0013888889 + x * 0.00019841270)))));
+    vec2 mean = 1.0 + x * (0.5 + x * (0.16666667 + x * (0.041666667 + x * (0.0083333333 + x * (0.0013888889 + x * (0.00019841270 + x * 0.000024801587))))));
     vec3 extinction = vec3(middle + middle * x.x * mean.x, middle, middle + middle * x.y * mean.y) + ew_body_extinction;
     vec2 power = ew_small_power(-way * (middle * mean + ew_body_extinction));
 #else
