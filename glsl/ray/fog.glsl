@@ -124,18 +124,6 @@ vec2 ew_fog_at(float s)
 #endif
 }
 
-// The share of the light at places of the panel, `y` before or behind its middle, where `fog` is: the series of the mean of the
-// extinction over y in scales of height, at most one. Beyond, there is next to no fog.
-vec3 ew_transmittance_in_panel(vec2 fog, vec3 y)
-{
-    vec3 depth = fog.y * y;
-#ifdef EW_FOG_HEIGHT
-    vec3 x = clamp(-ew_fog_rise * y, -1.0, 1.0);
-    depth *= 1.0 + x * (0.5 + x * (0.16666667 + x * (0.041666667 + x * (0.0083333333 + x * (0.0013888889 + x * 0.00019841270)))));
-#endif
-    return exp2(-1.44269504 * clamp(fog.x + depth + ew_body_extinction * y, 0.0, 100.0));
-}
-
 // Prepares for a ray.
 void ew_enter_fog(ew_segment segment)
 {

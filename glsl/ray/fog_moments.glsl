@@ -12,7 +12,7 @@ float ew_cubic_length()
 // Of a source's light, what has so small a share of the transmittance where it begins does not count.
 const float EW_FOG_HIDDEN = 2e-9;
 // Of moments about a place that is so many half lengths away, little is left but rounding.
-const float EW_FOG_FAR = 24.0;
+const float EW_CUBIC_FAR = 24.0;
 
 // How long a panel from s on may be. In the core, which ends at `core_end`, it is no longer than half of what makes that as wide as it is.
 float ew_longest_cubic(float s, vec2 core, vec4 glow)
@@ -123,7 +123,7 @@ vec4 ew_moments_of_part(float b2, float k, float s0, vec2 core, vec2 part, float
     float center = 0.5 * (outside.x + outside.y);
     float inverse = mix(inverse_sum.x, inverse_sum.y, is_lit.y);
     float tilt = light * k * (s0 - center) * (1.0 / 3.0) * inverse * inverse * width * width;
-    bool is_far = 4.0 > EW_FOG_FAR * EW_FOG_FAR * k * width * width * inverse * inverse;
+    bool is_far = 4.0 > EW_CUBIC_FAR * EW_CUBIC_FAR * k * width * width * inverse * inverse;
     moments = mix(moments, ew_moments_of_spread(light, tilt, width, center - middle), bvec4(is_far));
 
     // The core, in which 1 / r' is next to linear.
@@ -147,115 +147,9 @@ vec2 ew_integrate_panel(float b2, float k, float s0, vec2 core, vec2 panel, vec4
     vec4 transmittance = ew_transmittance_cubic(middle, 0.5 * (panel.y - panel.x));
     return vec2(dot(ew_moments_of_part(b2, k, s0, core, panel, middle, glow), transmittance), transmittance.x);
 }
-#else
-// Of moments about the middle of a panel whose source is so many half lengths away, little is left but rounding.
-const float EW_FOG_FAR = 8.0;
-
-// How long a panel from s on may be, for a polynomial of degree five in v = 1 / (s + beta) to be the transmittance times v within 4e-4 at
-// worst, and mostly within 1e-4. Where the fog thickens the transmittance bends away from that of even fog, and where it thins out, towards it.
-float ew_longest_quintic(float s)
-{
-    float depth = s + ew_beta();
-    float steepness = ew_fog_extinction + ew_body_extinction;
-    float before = depth;
-#ifdef EW_FOG_HEIGHT
-    steepness = ew_fog_extinction_at(s) + ew_body_extinction + max(0.4 * ew_fog_rise, -1.5 * ew_fog_rise);
-    before *= mix(0.6, 1.0, ew_fog_rise > 0.0);
-#endif
-    float scale = 1.0 / steepness;
-    float way = mix(0.7, 1.0, ew_tolerance() > 3e-4) * min(min(1.9 * scale, before + 0.3 * scale), 2.0 * depth);
-#ifdef EW_FOG_HEIGHT
-    way = max(min(way, 2.4 * abs(ew_fog_inverse_rise)), ew_way_through_thin_fog(s, 1.0));
-#endif
-    return way;
-}
-
-// exp(x) for |x| < 2. Relative error 1e-5 at the ends.
-vec2 ew_small_power(vec2 x)
-{
-    x *= 0.5;
-    vec2 root = 1.0 + x * (1.0 + x * (0.5 + x * (0.16666667 + x * (0.041666667 + x * (0.0083333333 + x * 0.0013888889)))));
-    return root * root;
-}
-
-// The integral over a panel of (1 / sqrt(b2 + k (s - s0)^2) - 1 / R) / (s + beta)^2 in fog. With t from -1 to 1 along the panel, v is linear
-// in t, and the field in v is 1 / r with r^2 quadratic, too: see ew_integrate_reciprocal. v times the transmittance is taken for the
-// polynomial that has its values and slopes at -1, 0 and 1.
-float ew_integrate_panel(float b2, float k, float s0, vec2 panel, float inverse_reach)
-{
-    float beta = ew_beta();
-    float size = panel.y - panel.x;
-    vec3 depth = vec3(panel.x + beta, 0.0, panel.y + beta);
-    float part = 1.0 / (depth.x + depth.z);
-    vec3 s = vec3(panel.x, panel.x + size * (depth.x * part), panel.y);
-    depth.y = 2.0 * depth.x * depth.z * part;
-    vec3 v = vec3(1.0 / depth.x, 0.0, 1.0 / depth.z);
-    v.y = 0.5 * (v.x + v.z);
-    float h = 0.5 * size * v.x * v.z;
-
-    vec2 fog = ew_fog_at(s.y);
-    vec2 way = s.xz - s.y;
-#ifdef EW_FOG_HEIGHT
-    // A panel of more scales of height is one in which there is next to no fog.
-    bool is_long = abs(ew_fog_rise) * size > 2.5;
-    vec2 x = mix(-ew_fog_rise * way, vec2(0.0), bvec2(is_long));
-    float middle = mix(fog.y, 0.0, is_long);
-    vec2 mean = 1.0 + x * (0.5 + x * (0.16666667 + x * (0.041666667 + x * (0.0083333333 + x * (0.0013888889 + x * (0.00019841270 + x * 0.000024801587))))));
-    vec3 extinction = vec3(middle + middle * x.x * mean.x, middle, middle + middle * x.y * mean.y) + ew_body_extinction;
-    vec2 power = ew_small_power(-way * (middle * mean + ew_body_extinction));
-#else
-    vec3 extinction = vec3(ew_fog_extinction + ew_body_extinction);
-    vec2 power = ew_small_power(-extinction.x * way);
-#endif
-    vec3 value = v * vec3(power.x, 1.0, power.y);
-    vec3 slope = -h * vec3(power.x, 1.0, power.y) * (1.0 + extinction * depth);
-    float even = 0.5 * (value.z + value.x) - value.y;
-    float odd = 0.5 * (value.z - value.x) - slope.y;
-    float fourth = 0.25 * (slope.z - slope.x) - even;
-    float fifth = 0.25 * (slope.z + slope.x) - 0.5 * slope.y - 1.5 * odd;
-    float third = odd - fifth;
-    float second = even - fourth;
-
-    // r and, times c, how far v is from where r is least.
-    vec3 y = s - s0;
-    vec3 r = sqrt(b2 + k * y * y) * v;
-    float g = k * (s0 + beta);
-    float c = b2 + g * (s0 + beta);
-    vec3 away = (g * y - b2) * v;
-    // The moments of h / r, as in ew_find_moments.
-    float inverse_root = inversesqrt(max(c, 1e-30));
-    float unit = inverse_root / max(h, 1e-30);
-    vec2 sum = r.xz + abs(away.xz) * inverse_root;
-    bool is_beside = away.x * away.z < 0.0;
-    float larger = mix(max(sum.x, sum.y), sum.x * sum.y, is_beside);
-    float smaller = mix(min(sum.x, sum.y), max(k * b2 * inverse_root * inverse_root, 1e-30), is_beside);
-    float place = -away.y * inverse_root * unit;
-    float square = r.y * r.y * unit * unit;
-    float r_sum = (r.z + r.x) * unit;
-    float r_difference = (r.z - r.x) * unit;
-    float moment0 = 0.69314718 * log2(larger / smaller);
-    float moment1 = r_difference + place * moment0;
-    float moment2 = 0.5 * (r_sum + 3.0 * place * moment1 - square * moment0);
-    float moment3 = (1.0 / 3.0) * (r_difference + 5.0 * place * moment2 - 2.0 * square * moment1);
-    float moment4 = 0.25 * (r_sum + 7.0 * place * moment3 - 3.0 * square * moment2);
-    float moment5 = 0.2 * (r_difference + 9.0 * place * moment4 - 4.0 * square * moment3);
-    float light = inverse_root * (value.y * moment0 + slope.y * moment1 + second * moment2 + third * moment3 + fourth * moment4 +
-                                  fifth * moment5);
-    // Far away, the product is next to a polynomial, too.
-    vec3 inverse_r = 1.0 / max(r, 1e-30);
-    vec3 product = value * inverse_r;
-    vec2 bend = (slope.xz - h * away.xz * product.xz * inverse_r.xz) * inverse_r.xz;
-    float far_light = h * ((7.0 / 15.0) * (product.x + product.z) + (16.0 / 15.0) * product.y + (1.0 / 15.0) * (bend.x - bend.y));
-    light = mix(light, far_light, square > EW_FOG_FAR * EW_FOG_FAR);
-#ifdef EW_REACH
-    vec2 at_ends = power * extinction.xz * depth.xz * depth.xz;
-    light -= inverse_reach * h * ((16.0 / 15.0) + (7.0 / 15.0) * (power.x + power.y) + h * (1.0 / 15.0) * (at_ends.x - at_ends.y));
-#endif
-    return mix(0.0, light * ew_transmittance_of(vec4(fog.x)).x, size > 0.0);
-}
 #endif
 
-// What ew_integrate_within_reach is, by the product rule.
+// What ew_integrate_within_reach is, by quintics.
 float ew_integrate_by_rule(float b2, float k, float s0, vec2 part, vec4 glow)
 {
     return ew_integrate_in_fog(b2, k, s0, part, s0 + ew_core_of(b2, k, s0, glow), vec4(1.0, 0.0, 0.0, 0.0), glow);
@@ -279,25 +173,6 @@ float ew_integrate_within_reach(float b2, float k, float s0, vec2 part, vec4 glo
     } while (from < part.y && ++panel < EW_MAX_FOG_PANELS);
     return sum;
 #else
-    vec2 core = s0 + ew_core_of(b2, k, s0, glow);
-    core = mix(part.yy, clamp(core, part.x, part.y), bvec2(core.x < core.y));
-    // In the core, 1 / r' is of the same form.
-#ifdef EW_CORE_PIXELS
-    vec3 in_core = vec3(ew_core_radius2(glow), max(ew_core_growth2(), 1e-30), -ew_view_depth.x / ew_view_depth.y);
-#else
-    vec3 in_core = vec3(glow.x * glow.x, 0.0, s0);
-#endif
-    float sum = 0.0;
-    float from = part.x;
-    int panel = 0;
-    do {
-        bool is_in_core = from >= core.x && from < core.y;
-        float stop = mix(mix(part.y, core.y, is_in_core), core.x, from < core.x);
-        vec3 field = mix(vec3(b2, k, s0), in_core, bvec3(is_in_core));
-        float to = min(from + ew_longest_quintic(from), stop);
-        sum += ew_integrate_panel(field.x, field.y, field.z, vec2(from, to), ew_inverse_reach(glow));
-        from = to;
-    } while (from < part.y && ++panel < EW_MAX_FOG_PANELS);
-    return sum;
+    return ew_integrate_by_rule(b2, k, s0, part, glow);
 #endif
 }
