@@ -58,11 +58,38 @@ float ew_longest_quintic(float s, vec4 weight)
 }
 
 // exp(x) for |x| < 2. Relative error 4e-4 at the ends, and 3e-5 where |x| < 1.4.
-vec2 ew_small_power(vec2 x)
+vec3 ew_small_power(vec3 x)
 {
     x *= 0.5;
-    vec2 root = 1.0 + x * (1.0 + x * (0.5 + x * (0.16666667 + x * (0.041666667 + x * (0.0083333333 + x * 0.0013888889)))));
+    vec3 root = 1.0 + x * (1.0 + x * (0.5 + x * (0.16666667 + x * (0.041666667 + x * (0.0083333333 + x * 0.0013888889)))));
     return root * root;
+}
+
+// (exp(x) - 1) / x for |x| < 1.5: the mean of the extinction over x scales of height, relative to where they begin. Relative error 2e-5.
+vec3 ew_small_mean(vec3 x)
+{
+    return 1.0 + x * (0.5 + x * (0.16666667 + x * (0.041666667 + x * (0.0083333333 + x * (0.0013888889 +
+                 x * (0.00019841270 + x * 0.000024801587))))));
+}
+
+#ifdef EW_FOG_HEIGHT
+// The scales of height by which places of a panel that is so long, `way` from its middle, are below that. A panel of more of them than the
+// series take is one in which there is next to no fog.
+vec3 ew_scales_in_panel(vec3 way, float size)
+{
+    return mix(-ew_fog_rise * way, vec3(0.0), bvec3(abs(ew_fog_rise) * size > 2.5));
+}
+#endif
+
+// The transmittance at places of a panel that is so long, `way` from its middle, where `fog` is, over that in the middle.
+vec3 ew_transmittance_in_panel(vec2 fog, vec3 way, float size)
+{
+#ifdef EW_FOG_HEIGHT
+    float middle = mix(fog.y, 0.0, abs(ew_fog_rise) * size > 2.5);
+    return ew_small_power(-way * (middle * ew_small_mean(ew_scales_in_panel(way, size)) + ew_body_extinction));
+#else
+    return ew_small_power(-way * (fog.y + ew_body_extinction));
+#endif
 }
 
 // The integral over a panel of weight (1 / sqrt(b2 + k (s - s0)^2) - 1 / R) in fog, and with the decay. The weight is
@@ -92,21 +119,15 @@ float ew_integrate_quintic(float b2, float k, float s0, vec2 panel, vec4 weight,
 
     // The transmittance over that in the middle, and its slope.
     vec2 fog = ew_fog_at(s.y);
-    vec2 way = s.xz - s.y;
+    vec3 way = s - s.y;
 #ifdef EW_FOG_HEIGHT
-    // A panel of more scales of height is one in which there is next to no fog.
-    bool is_long = abs(ew_fog_rise) * size > 2.5;
-    vec2 x = mix(-ew_fog_rise * way, vec2(0.0), bvec2(is_long));
-    float middle = mix(fog.y, 0.0, is_long);
-    vec2 mean = 1.0 + x * (0.5 + x * (0.16666667 + x * (0.041666667 + x * (0.0083333333 + x * (0.0013888889 +
-                      x * (0.00019841270 + x * 0.000024801587))))));
-    vec3 extinction = vec3(middle + middle * x.x * mean.x, middle, middle + middle * x.y * mean.y) + ew_body_extinction;
-    vec2 power = ew_small_power(-way * (middle * mean + ew_body_extinction));
+    vec3 x = ew_scales_in_panel(way, size);
+    float middle = mix(fog.y, 0.0, abs(ew_fog_rise) * size > 2.5);
+    vec3 extinction = middle + middle * x * ew_small_mean(x) + ew_body_extinction;
 #else
     float extinction = ew_fog_extinction + ew_body_extinction;
-    vec2 power = ew_small_power(-extinction * way);
 #endif
-    vec3 smooth_at = vec3(power.x, 1.0, power.y);
+    vec3 smooth_at = ew_transmittance_in_panel(fog, way, size);
 #if defined(EW_WORLD) || defined(EW_REACH) || defined(EW_WEIGHTS)
     vec3 slope = -smooth_at * extinction * rate;
 #endif
@@ -183,16 +204,22 @@ float ew_integrate_quintic(float b2, float k, float s0, vec2 panel, vec4 weight,
     return mix(0.0, light * ew_transmittance_of(vec4(fog.x)).x, size > 0.0);
 }
 
+// b2, k and s0 of the field in the core, 1 / r'.
+vec3 ew_field_in_core(vec4 glow, float s0)
+{
+#ifdef EW_CORE_PIXELS
+    return vec3(ew_core_radius2(glow), max(ew_core_growth2(), 1e-30), -ew_view_depth.x / ew_view_depth.y);
+#else
+    return vec3(glow.x * glow.x, 1e-30, s0);
+#endif
+}
+
 // The same over a part, with the core, in which 1 / r' takes the place of the reciprocal distance: it is of the same form. Panels end at the
 // core's edges.
 float ew_integrate_in_fog(float b2, float k, float s0, vec2 part, vec2 core, vec4 weight, vec4 glow)
 {
     core = mix(part.yy, clamp(core, part.x, part.y), bvec2(core.x < core.y));
-#ifdef EW_CORE_PIXELS
-    vec3 in_core = vec3(ew_core_radius2(glow), max(ew_core_growth2(), 1e-30), -ew_view_depth.x / ew_view_depth.y);
-#else
-    vec3 in_core = vec3(glow.x * glow.x, 1e-30, s0);
-#endif
+    vec3 in_core = ew_field_in_core(glow, s0);
     float sum = 0.0;
     float from = part.x;
     int panel = 0;
