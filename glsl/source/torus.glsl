@@ -33,7 +33,7 @@ float ew_integrate_torus_panels(const ew_torus_side near, const vec2 near_core, 
         float size = min(longest * clearance, depth * (is_near ? longest / (4.0 + longest) : 0.5 * longest));
 #endif
 #ifdef EW_FOG
-        size = min(size, ew_longest_in_fog(ew_s_on_side(side, from), side.depth_slope, 1.5));
+        size = min(size, ew_longest_in_fog(ew_s_on_side(side, from), side.depth_slope, 0.5));
 #endif
         bool reaches_stop = size >= remaining;
         size = reaches_stop ? remaining : size;
