@@ -70,7 +70,7 @@ float ew_finite_depth(ivec2 place, int i)
 // The surfaces of a patch, along the rays and in ray space.
 struct ew_relief {
     float step;  // how far they are off the plane through the patch's corners
-    float apart; // how far the samples of a pixel are apart
+    vec4 apart;  // how much farther apart the samples of a pixel are than on that plane, in each quarter of the patch
     float width; // how wide a cell is there
 };
 
@@ -86,7 +86,10 @@ ew_relief ew_find_relief(ivec2 first_pixel, int count, int pitch)
     float d10 = ew_finite_depth(origin + ivec2(end.x, first.y), 0);
     float d01 = ew_finite_depth(origin + ivec2(first.x, end.y), 0);
     float d11 = ew_finite_depth(origin + end, 0);
-    float off = 0.0, apart = 0.0, nearest = d00, farthest = d00;
+    float off = 0.0, nearest = d00, farthest = d00;
+    vec4 apart = vec4(0.0);
+    // Samples of a pixel are less than a pixel apart, and so are their depths on the plane.
+    vec2 rise = max(abs(vec2(d10 - d00, d01 - d00)), abs(vec2(d11 - d01, d11 - d10))) / size;
     bool are_numbers = true;
     for (int y = 0; y <= count; ++y)
         for (int x = 0; x <= count; ++x) {
@@ -94,11 +97,14 @@ ew_relief ew_find_relief(ivec2 first_pixel, int count, int pitch)
             vec2 part = vec2(place - first) / size;
             float plane = mix(mix(d00, d10, part.x), mix(d01, d11, part.x), part.y);
             float first_depth = ew_finite_depth(origin + place, 0);
+            bvec2 is_upper = greaterThanEqual(2 * ivec2(x, y), ivec2(count));
+            vec2 columns = is_upper.x ? vec2(0.0, 1.0) : vec2(1.0, 0.0);
+            vec4 quarter = is_upper.y ? vec4(0.0, 0.0, columns) : vec4(columns, 0.0, 0.0);
             for (int i = 0; i < EW_SAMPLE_COUNT; ++i) {
                 float depth = ew_finite_depth(origin + place, i);
                 float raw = EW_WINDOW_DEPTH(origin + place, i);
                 off = max(off, abs(depth - plane));
-                apart = max(apart, abs(depth - first_depth));
+                apart = max(apart, quarter * (abs(depth - first_depth) - (rise.x + rise.y)));
                 nearest = min(nearest, depth);
                 farthest = max(farthest, depth);
                 are_numbers = are_numbers && (floatBitsToInt(raw) & 0x7fffffff) <= 0x7f800000;
@@ -109,7 +115,7 @@ ew_relief ew_find_relief(ivec2 first_pixel, int count, int pitch)
     float slope = max(ew_parameter_slope(pixel, nearest), ew_parameter_slope(pixel, farthest));
     float most = are_numbers ? abs(ends.y - ends.x) : 1e30;
     float width = float(EW_CELL_SIZE) * length(ew_frame.ray_up.xy + min(ends.x, ends.y) * ew_frame.ray_up.zw);
-    return ew_relief(min(most, slope * off * ew_span()), min(most, slope * apart * ew_span()), width);
+    return ew_relief(min(most, slope * off * ew_span()), min(vec4(most), slope * apart * ew_span()), width);
 }
 
 // Whether a step along the ray changes next to nothing. The field is known on the surfaces of the nodes, so a step that is wider than a
@@ -127,7 +133,7 @@ bool ew_are_cells_smooth(ivec2 block)
     for (int y = 0; y < EW_BLOCK_CELLS; ++y)
         for (int x = 0; x < EW_BLOCK_CELLS; ++x) {
             ivec2 cell = min(block * EW_BLOCK_CELLS + ivec2(x, y), last);
-            are_smooth = are_smooth && texelFetch(ew_cell_texture, cell, 0).r == EW_SMOOTH;
+            are_smooth = are_smooth && ew_read_class(ew_cell_texture, cell) == EW_SMOOTH;
         }
     return are_smooth;
 }
@@ -143,17 +149,19 @@ void main()
     vec4 error = ew_interpolation_error(first, ew_stride);
     float field = ew_field(first, ew_stride);
     bool is_smooth = max(max(error.r, error.g), max(error.b, error.a)) <= allowed && field < EW_UNRESOLVED;
-    bool are_alike = true;
+    int torn = 0;
 #ifdef EW_DEPTH
     bool is_cell = ew_stride == 1;
     ew_relief relief = ew_find_relief(place * ew_stride * EW_CELL_SIZE, is_cell ? EW_CELL_SIZE : ew_stride, is_cell ? 1 : EW_CELL_SIZE);
     is_smooth = is_smooth && ew_is_flat(relief.step, relief.width, field, allowed);
-    are_alike = ew_is_flat(relief.apart, relief.width, field, allowed);
+    for (int i = 0; i < 4; ++i)
+        if (!ew_is_flat(relief.apart[i], relief.width, field, allowed)) torn |= 1 << i;
 #endif
     if (ew_stride > 1) is_smooth = is_smooth && ew_are_cells_smooth(place);
-    ew_class = vec4(is_smooth ? EW_SMOOTH : are_alike ? EW_ROUGH : EW_TORN);
+    int patch_class = is_smooth ? EW_SMOOTH : torn == 0 ? EW_ROUGH : torn;
 #if defined(EW_LISTS) && !defined(EW_LUMINANCE)
     int row = ew_find_tile_row(place * ew_stride * EW_CELL_SIZE);
-    if (ew_list_entry(row) == ew_list_entry(row + EW_KIND_COUNT)) ew_class = vec4(EW_DARK);
+    if (ew_list_entry(row) == ew_list_entry(row + EW_KIND_COUNT)) patch_class = EW_DARK;
 #endif
+    ew_class = vec4(float(patch_class) / 255.0);
 }

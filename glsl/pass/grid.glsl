@@ -8,12 +8,18 @@ ivec2 ew_first_node(ivec2 patch_place, int stride)
 }
 
 // Classes of patches. Smooth ones are interpolated between their nodes, the others are integrated pixel by pixel: rough ones once a
-// pixel, torn ones once for each sample of the target.
-const float EW_SMOOTH = 1.0;
-const float EW_ROUGH = 0.5;
-const float EW_TORN = 0.0;
+// pixel, torn ones once for each surface that the samples of a pixel see.
+const int EW_SMOOTH = 255;
+const int EW_ROUGH = 254;
 // Patches that no source can light are not drawn, unless the target's values are replaced.
-const float EW_DARK = 0.25;
+const int EW_DARK = 253;
+// A torn cell's class is which of its quarters are torn, as bits: 1 + 2 for the lower ones, 1 + 4 for the left ones.
+const int EW_LAST_TORN = 15;
+
+int ew_read_class(sampler2D classes, ivec2 place)
+{
+    return int(255.0 * texelFetch(classes, place, 0).r + 0.5);
+}
 
 // The field's value at a node that a source may slip by.
 const float EW_UNRESOLVED = 1e30;

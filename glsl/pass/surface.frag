@@ -43,18 +43,23 @@ void main()
 #endif
     vec3 light = vec3(0.0);
 #ifdef EW_DEPTH_MULTISAMPLE
-    for (int i = ew_samples.x; i < ew_samples.y; ++i)
+    ew_shaded_samples shaded = ew_samples_to_shade(place);
+    int i = shaded.first;
+    do {
         light += ew_light_on(place, i);
-    light /= float(ew_samples.y - ew_samples.x);
+    } while (++i < shaded.end);
+    light /= float(shaded.end - shaded.first);
 #else
     light = ew_light_on(place, 0);
 #endif
 #ifdef EW_SHADOWS
     vec3 unshaded = ew_light_gain() * ew_unshaded;
 #ifdef EW_DEPTH_MULTISAMPLE
-    unshaded /= float(ew_samples.y - ew_samples.x);
+    unshaded /= float(shaded.end - shaded.first);
+    // Of a second surface, the pixels beside may have been discarded.
+    if (ew_surface_rank <= 0)
 #endif
-    light = ew_smooth_shadows(light, min(unshaded, vec3(EW_MAX_IRRADIANCE)), place);
+        light = ew_smooth_shadows(light, min(unshaded, vec3(EW_MAX_IRRADIANCE)), place);
 #endif
     ew_color = vec4(min(light, EW_MAX_RADIANCE), 0.0);
 }

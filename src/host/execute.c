@@ -86,9 +86,10 @@ ew_result ew_upload(const ew_device *device, const ew_plan *plan, ew_error *erro
 
 /* ---- Drawing ---- */
 
-static void draw_quad(void *user)
+static void draw_quad(void *user, GLint surface_rank)
 {
     const ew_drawing *drawing = user;
+    (void)surface_rank;
     drawing->gl->DrawArrays(GL_TRIANGLE_STRIP, drawing->is_ahead ? EW_QUAD_VERTICES : 0, EW_QUAD_VERTICES);
 }
 
@@ -100,7 +101,7 @@ static void draw_every_pixel(ew_drawing *drawing)
     if (drawing->depth->samples > 0)
         ew_draw_samples(drawing->gl, program, drawing->depth->samples, draw_quad, drawing);
     else
-        draw_quad(drawing);
+        draw_quad(drawing, 0);
 }
 
 /* Draws the plan on a grid. Returns false if the context has no grids; then nothing is drawn. */

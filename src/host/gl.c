@@ -245,6 +245,7 @@ ew_result ew_gl_load(ew_gl *gl, ew_gl_function (*get_proc_address)(void *user, c
     if (gl->clip_control) load_clip_control(gl, &loader, gl->es ? "EXT" : "");
     if (loader.missing_count > 0) return fail_missing(&loader, error);
     gl->framebuffer_srgb = !gl->es || has_extension(gl, "GL_EXT_sRGB_write_control");
+    gl->sample_mask = gl->version >= (gl->es ? 32 : 40);
     gl->multisample = !gl->es || has_extension(gl, "GL_EXT_multisample_compatibility");
     gl->layered_framebuffers = !gl->es || gl->version >= 32 || has_extension(gl, "GL_OES_geometry_shader") ||
                                has_extension(gl, "GL_EXT_geometry_shader");

@@ -92,13 +92,13 @@ static void set_stride(const ew_drawing *drawing, ew_pass pass, int stride)
     gl->Uniform1i(gl->GetUniformLocation(drawing->programs.names[pass], "ew_stride"), stride);
 }
 
-/* Uses a program that reads the depth's samples up to `end`, if depth has samples. */
+/* Uses a program that reads the depth's samples up to `end` as one surface, if depth has samples. */
 static void use_with_samples(const ew_drawing *drawing, ew_pass pass, GLint end)
 {
     const ew_gl *gl = drawing->gl;
     GLuint program = drawing->programs.names[pass];
     gl->UseProgram(program);
-    if (drawing->depth->samples > 0) gl->Uniform2i(gl->GetUniformLocation(program, "ew_samples"), 0, end);
+    if (drawing->depth->samples > 0) ew_choose_samples(gl, program, 0, end, EW_ONE_SURFACE);
 }
 
 /* Draws a quad over the first `size` texels of a texture of the grid. */
@@ -176,20 +176,25 @@ bool ew_grid_fill(ew_grid *grid, const ew_drawing *drawing)
 
 /* ---- Patches ---- */
 
-/* Draws patches that are `stride` cells wide with the program in use. The last ones may reach beyond the viewport; a point
- * behind them all lies outside of it. */
+/* Draws patches that are `stride` cells wide, or with a stride of 0 quarters of cells, with the program in use. The last ones
+ * may reach beyond the viewport; a point behind them all lies outside of it. */
 static void draw_patches(const ew_drawing *drawing, extent patches, int stride)
 {
     const ew_viewport *viewport = &drawing->plan->lit;
-    int width = stride * EW_CELL_SIZE, count = patches.columns * patches.rows;
+    int width = stride > 0 ? stride * EW_CELL_SIZE : EW_CELL_SIZE / 2, count = patches.columns * patches.rows;
     ew_gl_set_viewport(drawing->gl, &(ew_viewport){viewport->x, viewport->y, patches.columns * width, patches.rows * width});
     drawing->gl->DrawArrays(GL_POINTS, drawing->is_ahead ? count : 0, drawing->is_ahead ? 1 : count);
 }
 
-static void draw_cells(void *user)
+/* Of torn cells, only the quarters that are torn can have pixels that see more than one surface. */
+static void draw_torn(void *user, GLint surface_rank)
 {
     const ew_drawing *drawing = user;
-    draw_patches(drawing, extents_of(&drawing->plan->lit).cells, 1);
+    const ew_viewport *lit = &drawing->plan->lit;
+    int stride = surface_rank > 0 ? 0 : 1;
+    set_stride(drawing, EW_PASS_CELLS, stride);
+    draw_patches(drawing, stride > 0 ? extents_of(lit).cells : divide_up((extent){lit->width, lit->height}, EW_CELL_SIZE / 2),
+                 stride);
 }
 
 void ew_grid_draw(const ew_grid *grid, const ew_drawing *drawing)
@@ -205,11 +210,11 @@ void ew_grid_draw(const ew_grid *grid, const ew_drawing *drawing)
 
     const GLuint program = drawing->programs.names[EW_PASS_CELLS];
     const GLint draws_torn = gl->GetUniformLocation(program, "ew_draws_torn");
-    use_with_samples(drawing, EW_PASS_CELLS, 1);
+    use_with_samples(drawing, EW_PASS_CELLS, drawing->depth->samples);
     set_stride(drawing, EW_PASS_CELLS, 1);
     gl->Uniform1i(draws_torn, 0);
     draw_patches(drawing, extents.cells, 1);
     if (drawing->depth->samples == 0) return;
     gl->Uniform1i(draws_torn, 1);
-    ew_draw_samples(gl, program, drawing->depth->samples, draw_cells, (void *)drawing);
+    ew_draw_samples(gl, program, drawing->depth->samples, draw_torn, (void *)drawing);
 }

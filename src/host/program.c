@@ -10,6 +10,7 @@
 ew_dialect ew_gl_dialect(const ew_gl *gl)
 {
     return (ew_dialect){.es = gl->es,
+                        .sample_mask = gl->sample_mask,
                         .software = gl->software,
                         .max_varying_vectors = gl->max_varying_vectors,
                         .capacity = ew_sources_capacity((size_t)gl->max_uniform_block_size),

@@ -51,17 +51,18 @@ size_t ew_join_shader_text(const ew_shader_text *text, char *joined)
 
 /* ---- The head of a shader ---- */
 
-/* Multisampled textures came to OpenGL with GLSL 1.50, and to OpenGL ES with 3.10. */
+/* Multisampled textures came to OpenGL with GLSL 1.50, and to OpenGL ES with 3.10; gl_SampleMask came with 4.00 and 3.20. */
 static void add_version(ew_shader_text *text, const ew_dialect *dialect, ew_key key)
 {
     bool multisample = key & EW_PERMUTATION_DEPTH_MULTISAMPLE;
-    if (!dialect->es)
-        add(text, "#version 330 core\n");
-    else if (multisample)
-        add(text, "#version 310 es\nprecision highp float;\nprecision highp int;\nprecision highp sampler2D;\n"
-                  "precision highp sampler2DMS;\n");
-    else
-        add(text, "#version 300 es\nprecision highp float;\nprecision highp int;\nprecision highp sampler2D;\n");
+    bool masks_samples = multisample && dialect->sample_mask;
+    if (!dialect->es) {
+        add(text, masks_samples ? "#version 400 core\n" : "#version 330 core\n");
+        return;
+    }
+    add(text, masks_samples ? "#version 320 es\n" : multisample ? "#version 310 es\n" : "#version 300 es\n");
+    add(text, "precision highp float;\nprecision highp int;\nprecision highp sampler2D;\n");
+    if (multisample) add(text, "precision highp sampler2DMS;\n");
 }
 
 /* How many vec4 a source of the kind takes in the shader of `key`. */
@@ -350,6 +351,15 @@ static void add_depth(ew_shader_text *text, ew_key key)
     if (key & EW_PERMUTATION_DEPTH) add_file(text, ew_glsl_depth_glsl);
 }
 
+/* The depth, and which samples are shaded, of a pass that draws to the target. */
+static void add_depth_of_samples(ew_shader_text *text, const ew_dialect *dialect, ew_key key)
+{
+    add_depth(text, key);
+    if (!(key & EW_PERMUTATION_DEPTH_MULTISAMPLE)) return;
+    if (dialect->sample_mask) add(text, "#define EW_SAMPLE_MASK\n");
+    add_file(text, ew_glsl_samples_glsl);
+}
+
 static void write_integrating_shader(ew_shader_text *text, const ew_dialect *dialect, ew_pass pass, ew_key key,
                                      const ew_integrator_text *integrator)
 {
@@ -358,12 +368,14 @@ static void write_integrating_shader(ew_shader_text *text, const ew_dialect *dia
     if (is_of_nodes) add(text, "#define EW_NODE_STAGE\n");
     if (pass == EW_PASS_FIELD) add(text, "#define EW_FIELD\n");
     add_light(text, key, integrator, is_of_nodes);
-    add_depth(text, key);
-    add_file(text, ew_glsl_ray_glsl);
     if (is_of_nodes) {
+        add_depth(text, key);
+        add_file(text, ew_glsl_ray_glsl);
         add_file(text, ew_glsl_node_frag);
         return;
     }
+    add_depth_of_samples(text, dialect, key);
+    add_file(text, ew_glsl_ray_glsl);
     add_target_files(text, key);
     add_file(text, ew_glsl_wave_frag);
 }
@@ -379,7 +391,7 @@ static void write_surface_shader(ew_shader_text *text, const ew_dialect *dialect
     start_stage(text, dialect, EW_PASS_SURFACES, key);
     add_sources(text, key, false);
     add_irradiance(text, key);
-    add_depth(text, key);
+    add_depth_of_samples(text, dialect, key);
     add_file(text, ew_glsl_ray_glsl);
     add_file(text, ew_glsl_composite_glsl);
     add_file(text, ew_glsl_normal_glsl);
@@ -395,7 +407,7 @@ static void write_media_shader(ew_shader_text *text, const ew_dialect *dialect, 
     start_stage(text, dialect, EW_PASS_MEDIA, key);
     add_sources(text, key, false);
     add_media_light(text, key);
-    add_depth(text, key);
+    add_depth_of_samples(text, dialect, key);
     add_file(text, ew_glsl_ray_glsl);
     add_dither(text, key);
     add_file(text, ew_glsl_media_frag);

@@ -313,10 +313,10 @@ int main(int argc, char **argv)
      * sources fit between the stages, or not even a curve; the profiles' least versions; hardware and software. */
     size_t smallest = ew_sources_capacity(16384), largest = ew_sources_capacity(65536);
     const shader_profile profiles[] = {
-        {"330", {false, false, 0, largest, 4096}, "#version 330\n"},
-        {"330-software", {false, true, 31, largest, 4096}, NULL},
-        {"300es-software", {true, true, 16, smallest, 1024}, NULL},
-        {"300es", {true, false, 16, smallest, 1024}, "#version 300 es\n"},
+        {"330", {false, false, false, 0, largest, 4096}, "#version 330\n"},
+        {"330-software", {false, true, true, 31, largest, 4096}, NULL},
+        {"300es-software", {true, false, true, 16, smallest, 1024}, NULL},
+        {"300es", {true, true, false, 16, smallest, 1024}, "#version 300 es\n"},
     };
     for (size_t i = 0; i < sizeof profiles / sizeof profiles[0]; ++i) {
         write_all_integrals(&profiles[i]);
