@@ -200,8 +200,7 @@ static const char *const nothing_before[] = {NULL};
 static const ew_integrator_text *integrator_of(ew_key key)
 {
     static const char *const adaptive_before[] = {ew_glsl_quadrature_glsl, NULL};
-    static const char *const fogged_before[] = {ew_glsl_product_rule_glsl, ew_glsl_fogged_glsl, ew_glsl_quadrature_glsl,
-                                                ew_glsl_fog_moments_glsl, NULL};
+    static const char *const fogged_before[] = {ew_glsl_fogged_glsl, ew_glsl_quadrature_glsl, ew_glsl_fog_moments_glsl, NULL};
     static const ew_integrator_text adaptive = {adaptive_before, NULL, false};
     static const ew_integrator_text fogged = {fogged_before, NULL, false};
     static const ew_integrator_text simpson = {nothing_before, ew_glsl_simpson_glsl, true};
