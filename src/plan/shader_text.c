@@ -122,6 +122,30 @@ static void add_start(ew_shader_text *text, int kind, ew_key key)
     add_made(text, "%zu", known);
 }
 
+/* The body of a function that reads a source unit by unit. Where places differ from pixel to pixel, some compilers put a dozen
+ * branches into the shader for every read: so one read stands in a loop, which hands the units on until each has its place. */
+static void add_reading_loop(ew_shader_text *text, const ew_kind *kind, size_t units)
+{
+    add_made(text, "{\n    vec4 unit0 = vec4(0.0)");
+    for (size_t unit = 1; unit < units; ++unit)
+        add_made(text, ", unit%zu = unit0", unit);
+    add_made(text, ";\n    for (int unit = 0; unit < %zu; ++unit) {\n", units);
+    for (size_t unit = 0; unit + 1 < units; ++unit)
+        add_made(text, "        unit%zu = unit%zu;\n", unit, unit + 1);
+    add_made(text, "        unit%zu = ew_source(EW_%s_START + unit, %zu, i);\n    }\n    return ew_%s_block(", units - 1,
+             kind->upper_name, units, kind->name);
+    for (size_t unit = 0; unit < units; ++unit)
+        add_made(text, "%sunit%zu", unit > 0 ? ", " : "", unit);
+}
+
+/* The same for the only source of a kind, whose place is constant. */
+static void add_reading(ew_shader_text *text, const ew_kind *kind, size_t units)
+{
+    add_made(text, "{\n    return ew_%s_block(", kind->name);
+    for (size_t unit = 0; unit < units; ++unit)
+        add_made(text, "%sew_source(EW_%s_START + %zu, %zu, i)", unit > 0 ? ", " : "", kind->upper_name, unit, units);
+}
+
 /* EW_..._COUNT, and the function that reads source i of the kind: its block consists of vec4 and nothing else. */
 static void add_reader(ew_shader_text *text, int index, ew_key key)
 {
@@ -134,10 +158,11 @@ static void add_reader(ew_shader_text *text, int index, ew_key key)
         add_made(text, "#define EW_%s_COUNT %u\n", kind->upper_name, count);
     add_made(text, "#define EW_%s_START (", kind->upper_name);
     add_start(text, index, key);
-    add_made(text, ")\new_%s_block ew_%s(int i)\n{\n    return ew_%s_block(", kind->name, kind->name, kind->name);
-    for (size_t unit = 0; unit < units_of(index, key); ++unit)
-        add_made(text, "%sew_source(EW_%s_START + %zu, %zu, i)", unit > 0 ? ", " : "", kind->upper_name, unit,
-                 units_of(index, key));
+    add_made(text, ")\new_%s_block ew_%s(int i)\n", kind->name, kind->name);
+    if (count == EW_ANY_COUNT)
+        add_reading_loop(text, kind, units_of(index, key));
+    else
+        add_reading(text, kind, units_of(index, key));
     add_made(text, "%s);\n}\n", key & EW_PERMUTATION_REACH ? "" : ", ew_plain_glow()");
 }
 
