@@ -2,7 +2,7 @@
 // width in cells.
 
 // Where the nodes of a patch lie: its lower left corner in the texture of nodes.
-ivec2 ew_first_node(ivec2 patch_place, int stride)
+ivec2 ew_first_node(const ivec2 patch_place, const int stride)
 {
     return patch_place * stride + EW_NODE_MARGIN;
 }
@@ -20,7 +20,7 @@ const float EW_UNRESOLVED = 1e30;
 
 #ifdef EW_FIELD
 // How long a cell's diagonal is at the ray parameter s, in ray space.
-float ew_cell_diagonal(float s)
+float ew_cell_diagonal(const float s)
 {
     vec2 right = ew_frame.ray_right.xy + s * ew_frame.ray_right.zw;
     vec2 up = ew_frame.ray_up.xy + s * ew_frame.ray_up.zw;
@@ -33,13 +33,13 @@ float ew_cell_diagonal(float s)
 uniform sampler2D ew_node_texture;
 uniform sampler2D ew_middle_texture;
 
-vec4 ew_node(ivec2 first, int stride, int x, int y)
+vec4 ew_node(const ivec2 first, const int stride, const int x, const int y)
 {
     return texelFetch(ew_node_texture, first + stride * ivec2(x, y), 0);
 }
 
 // The node in the middle of a patch.
-vec4 ew_middle_node(ivec2 first, int stride)
+vec4 ew_middle_node(const ivec2 first, const int stride)
 {
     return stride == 1 ? texelFetch(ew_middle_texture, first, 0) : texelFetch(ew_node_texture, first + stride / 2, 0);
 }

@@ -3,7 +3,7 @@
 out vec4 ew_color;
 
 // Of the surface at a sample of a pixel; dark where there is none within the light's reach.
-vec3 ew_light_on(ivec2 place, int sample_index)
+vec3 ew_light_on(const ivec2 place, const int sample_index)
 {
     float depth = ew_depth_of_sample(place, sample_index);
     vec2 pixel = vec2(place) + 0.5 - ew_frame.pixel_center.xy;
@@ -15,7 +15,7 @@ vec3 ew_light_on(ivec2 place, int sample_index)
 
 #ifdef EW_SHADOWS
 // The mean of a value over a pair of the 2 x 2 pixels that are shaded together, where both get about the same light without shadows.
-vec3 ew_mean_of_pair(vec3 share, vec3 growth, vec3 unshaded_growth, vec3 unshaded, int place)
+vec3 ew_mean_of_pair(const vec3 share, const vec3 growth, const vec3 unshaded_growth, const vec3 unshaded, const int place)
 {
     bool is_alike = all(lessThanEqual(abs(unshaded_growth), 0.25 * unshaded));
     return is_alike ? share + ((place & 1) == 0 ? 0.5 : -0.5) * growth : share;
@@ -23,7 +23,7 @@ vec3 ew_mean_of_pair(vec3 share, vec3 growth, vec3 unshaded_growth, vec3 unshade
 
 // Light in which the share that shadows leave is the mean over 2 x 2 pixels. Each of them picked other places of the sources, so together
 // they know four times as many, and the grain is half as strong.
-vec3 ew_smooth_shadows(vec3 light, vec3 unshaded, ivec2 place)
+vec3 ew_smooth_shadows(const vec3 light, const vec3 unshaded, const ivec2 place)
 {
     vec3 share = mix(light / max(unshaded, vec3(1e-30)), vec3(1.0), equal(unshaded, vec3(0.0)));
     share = ew_mean_of_pair(share, dFdx(share), dFdx(unshaded), unshaded, place.x);

@@ -18,7 +18,7 @@ const float EW_FOG_VERY_FAR = 1000.0;
 
 // How long a panel from s on may be. Where the field is of a core that widens, it is no longer than half of what makes that as wide as it
 // is, unless there is next to no fog in it.
-float ew_longest_cubic(float s, vec4 glow)
+float ew_longest_cubic(const float s, const vec4 glow)
 {
 #ifdef EW_FOG_HEIGHT
     float way = ew_cubic_length() / (ew_fog_extinction_at(s) + ew_body_extinction + abs(ew_fog_rise));
@@ -35,7 +35,7 @@ float ew_longest_cubic(float s, vec4 glow)
 // The transmittance at y from the middle of a panel, |y| <= radius: x + y (y + y (z + y w)). It is Taylor's series of order five, whose last
 // two terms are economized. In a panel that is too long for it there is next to no fog, and one that is too short for powers of it is a
 // place.
-vec4 ew_transmittance_cubic(float middle, float radius)
+vec4 ew_transmittance_cubic(const float middle, const float radius)
 {
     vec2 fog = ew_fog_at(middle);
     float e = (fog.y + ew_body_extinction) * radius;
@@ -65,7 +65,7 @@ vec4 ew_transmittance_cubic(float middle, float radius)
 }
 
 // The integrals of 1, y, y^2 and y^3 from y.x to y.y.
-vec4 ew_moments_of_one(vec2 y)
+vec4 ew_moments_of_one(const vec2 y)
 {
     vec2 y2 = y * y;
     float way = y.y - y.x;
@@ -74,7 +74,7 @@ vec4 ew_moments_of_one(vec2 y)
 }
 
 // From moments about 0 to those about `place`.
-vec4 ew_shift_moments(vec4 moments, float place)
+vec4 ew_shift_moments(const vec4 moments, const float place)
 {
     float second = moments.z + place * (place * moments.x - 2.0 * moments.y);
     float third = moments.w - place * (3.0 * moments.z + place * (place * moments.x - 3.0 * moments.y));
@@ -85,7 +85,7 @@ vec4 ew_shift_moments(vec4 moments, float place)
 //
 //     y / d  has the antiderivative  d / k,
 //     y^2 / d  (y d - b2 (that of 1 / d)) / 2 k,  and  y^3 / d  (y^2 d - 2 b2 (that of y / d)) / 3 k.
-vec4 ew_moments_of_part(float b2, float k, float s0, vec2 part, float middle, vec4 glow)
+vec4 ew_moments_of_part(const float b2, const float k, float s0, const vec2 part, const float middle, const vec4 glow)
 {
     // Of empty parts, whose source may be anywhere, powers must be floats, too.
     s0 = clamp(s0, middle - 1e9, middle + 1e9);
@@ -136,13 +136,13 @@ vec4 ew_moments_of_part(float b2, float k, float s0, vec2 part, float middle, ve
 #endif
 
 // What ew_integrate_within_reach is, by the product rule.
-float ew_integrate_by_rule(float b2, float k, float s0, vec2 part, vec4 glow)
+float ew_integrate_by_rule(const float b2, const float k, const float s0, const vec2 part, const vec4 glow)
 {
     return ew_integrate_in_fog(b2, k, s0, part, s0 + ew_core_of(b2, k, s0, glow), vec4(1.0, 0.0, 0.0, 0.0), glow);
 }
 
 // What ew_integrate_floored_reciprocal is, less 1 / R, in fog.
-float ew_integrate_within_reach(float b2, float k, float s0, vec2 part, vec4 glow)
+float ew_integrate_within_reach(const float b2, const float k, const float s0, const vec2 part, const vec4 glow)
 {
 #ifdef EW_WORLD
     float sum = 0.0;

@@ -12,7 +12,7 @@ const float EW_FOG_PANEL = 2.0;
 const int EW_MAX_FOG_PANELS = 64;
 
 // The longest panel from s on. With a decay, 1 / v must be a polynomial of v, too: see ew_map_fog_panel.
-float ew_longest_fog_panel(float s, float along, float optical_depth)
+float ew_longest_fog_panel(const float s, const float along, const float optical_depth)
 {
     float way = ew_longest_in_fog(s, along, optical_depth);
 #ifndef EW_WORLD
@@ -22,7 +22,7 @@ float ew_longest_fog_panel(float s, float along, float optical_depth)
 }
 
 // A panel that maps so that t is linear in s or, with a decay, in v = 1 / (s + beta): then the decay is gone, and s is not.
-ew_panel ew_map_fog_panel(float from, float size)
+ew_panel ew_map_fog_panel(const float from, const float size)
 {
 #ifdef EW_WORLD
     return ew_panel(from, size, 0.0, 1.0, 0.5 * size, 1.0);
@@ -36,7 +36,8 @@ ew_panel ew_map_fog_panel(float from, float size)
 // The integral over s in [from, from + size] of weight (1 / sqrt(b2 + k (s - s0)^2) - inverse_reach) transmittance, and with the decay.
 // The weight is weight.x + weight.y y + weight.z y^2 with y = s - weight.w. Relative error 1e-4 of the mean transmittance at the
 // longest panel, and 1e-6 where that changes by a third.
-float ew_integrate_fog_panel(float b2, float k, float s0, float from, float size, vec4 weight, float inverse_reach)
+float ew_integrate_fog_panel(const float b2, const float k, const float s0, const float from, const float size, const vec4 weight,
+                             const float inverse_reach)
 {
     ew_panel panel = ew_map_fog_panel(from, size);
     // A zero that is far away may as well be that far away, where its square is a float.
@@ -84,7 +85,8 @@ float ew_integrate_fog_panel(float b2, float k, float s0, float from, float size
 }
 
 // The same over a part, with the core, in which 1 / r' takes the place of the reciprocal distance. Panels end at the core's edges.
-float ew_integrate_in_fog(float b2, float k, float s0, vec2 part, vec2 core, vec4 weight, vec4 glow)
+float ew_integrate_in_fog(const float b2, const float k, const float s0, const vec2 part, vec2 core, const vec4 weight,
+                          const vec4 glow)
 {
     core = mix(part.yy, clamp(core, part.x, part.y), bvec2(core.x < core.y));
     float core_k = 1e-30;
