@@ -7,7 +7,9 @@
 float ew_integrate(const ew_segment segment, const ew_path_block path, const vec2 chord, const float others)
 {
     float sum = 0.0;
-#ifdef EW_JOINTS
+#if defined(EW_PART) && defined(EW_BENDS)
+    if (ew_is_of_part(path)) sum = ew_integrate_bends(segment, path, chord, others);
+#elif defined(EW_JOINTS)
     if (path.pieces.y == 0.0) sum = ew_integrate_beam(segment, path, chord);
     else if (path.pieces.z == 0.0) sum = ew_integrate_polyline(segment, path, chord);
 #ifdef EW_BENDS

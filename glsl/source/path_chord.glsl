@@ -1,3 +1,15 @@
+// Whether the shader is for the path: one for a part of the sources is for paths either of straight pieces or of bent ones.
+bool ew_is_of_part(const ew_path_block path)
+{
+#ifndef EW_PART
+    return true;
+#elif defined(EW_BENDS)
+    return path.pieces.z != 0.0;
+#else
+    return path.pieces.z == 0.0;
+#endif
+}
+
 // Where the segment may be within reach of a path: a sphere around its ball, and around a straight beam the cylinder, too.
 vec2 ew_chord(const ew_segment segment, const ew_path_block path)
 {
@@ -12,5 +24,5 @@ vec2 ew_chord(const ew_segment segment, const ew_path_block path)
         vec2 cylinder = ew_chord_of(ew_length_squared(to_line - s0 * across), k, s0, path.glow.y, segment.end);
         chord = vec2(max(chord.x, cylinder.x), min(chord.y, cylinder.y));
     }
-    return chord;
+    return mix(vec2(0.0), chord, bvec2(ew_is_of_part(path)));
 }

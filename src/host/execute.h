@@ -15,6 +15,7 @@ typedef struct ew_device {
     ew_program_cache programs[EW_PASS_COUNT];
     ew_depth_copy depth_copy;
     ew_grid grid;
+    ew_light_sum light_sum;
     ew_source_texture source_texture;
     GLuint depth_sampler; /* reads depth as it is, whatever the texture's own parameters say */
     GLuint uniform_buffer, list_buffer;
