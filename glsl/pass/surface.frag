@@ -1,4 +1,5 @@
-// The light that opaque surfaces receive, for a blend that takes the target's colour as their albedo.
+// The light that opaque surfaces receive, for a blend that takes the target's colour as their albedo; or that of a part of the sources:
+// see part.frag.
 
 out vec4 ew_color;
 
@@ -35,11 +36,14 @@ vec3 ew_smooth_shadows(const vec3 light, const vec3 unshaded, const ivec2 place)
 void main()
 {
     ivec2 place = ivec2(gl_FragCoord.xy);
+#ifdef EW_PART
+    place += ew_grid.viewport.xy;
+#endif
 #ifdef EW_LISTS
     ew_tile_row = ew_find_tile_row(place - ew_grid.viewport.xy);
 #endif
 #ifdef EW_SHADOWS
-    ew_pick_offset = ew_gradient_noise(gl_FragCoord.xy);
+    ew_pick_offset = ew_gradient_noise(vec2(place) + 0.5);
 #endif
     vec3 light = vec3(0.0);
 #ifdef EW_DEPTH_MULTISAMPLE
@@ -54,7 +58,7 @@ void main()
 #ifdef EW_DEPTH_MULTISAMPLE
     unshaded /= float(ew_samples.y - ew_samples.x);
 #endif
-    light = ew_smooth_shadows(light, min(unshaded, vec3(EW_MAX_IRRADIANCE)), place);
+    light = ew_smooth_shadows(light, min(unshaded, vec3(EW_MAX_IRRADIANCE)), ivec2(gl_FragCoord.xy));
 #endif
     ew_color = vec4(min(light, EW_MAX_RADIANCE), 0.0);
 }

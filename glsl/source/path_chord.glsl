@@ -1,15 +1,3 @@
-// Whether the shader is for the path: one for a part of the sources is for paths either of straight pieces or of bent ones.
-bool ew_is_of_part(const ew_path_block path)
-{
-#ifndef EW_PART
-    return true;
-#elif defined(EW_BENDS)
-    return path.pieces.z != 0.0;
-#else
-    return path.pieces.z == 0.0;
-#endif
-}
-
 // Where the segment may be within reach of a path: a sphere around its ball, and around a straight beam the cylinder, too.
 vec2 ew_chord(const ew_segment segment, const ew_path_block path)
 {

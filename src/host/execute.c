@@ -134,7 +134,7 @@ static void draw_part(void *user, int part)
 {
     const ew_drawing *drawing = user;
     const ew_viewport *lit = &drawing->plan->lit;
-    const GLuint program = drawing->parts[part].names[EW_PASS_WAVE];
+    const GLuint program = drawing->parts[part].names[drawing->plan->pass];
     if (!ew_draws_with(drawing, program)) return;
     drawing->gl->UseProgram(program);
     ew_gl_set_viewport(drawing->gl, &(ew_viewport){0, 0, lit->width, lit->height});
@@ -261,7 +261,7 @@ static ew_result find_programs_of(ew_device *device, const plan_task *task, prep
                                   ahead_progress *progress, ew_error *error)
 {
     ew_drawing *drawing = &prepared->drawing;
-    const bool is_seen = pass == EW_PASS_WAVE || pass == EW_PASS_CELLS;
+    const bool is_seen = pass == drawing->plan->pass || pass == EW_PASS_CELLS;
     const bool has_parts = drawing->part_count > 0 && (is_seen || pass == EW_PASS_NODES);
     ew_result result = EW_OK;
     for (int part = 0; has_parts && part < drawing->part_count && result == EW_OK; ++part)
@@ -292,9 +292,9 @@ static ew_result draw_bound(ew_device *device, const plan_task *task, prepared_p
     const bool by_textures = prepared->on_grid || drawing->part_count > 0;
     if (by_textures && draw_by_textures(device, drawing, prepared->on_grid, state)) return EW_OK;
     if (by_textures) {
-        GLuint *name = &drawing->programs.names[EW_PASS_WAVE];
+        const ew_pass pass = drawing->plan->pass;
         int steps_left;
-        ew_result result = find_program(device, task, EW_PASS_WAVE, prepared->key, name, &steps_left, error);
+        ew_result result = find_program(device, task, pass, prepared->key, &drawing->programs.names[pass], &steps_left, error);
         if (result != EW_OK || steps_left > 0) return result;
     }
     draw_every_pixel(drawing);
@@ -343,9 +343,9 @@ static bool are_parts_ready(const ew_device *device, const prepared_plan *prepar
  * have prepared a mix of which these sources are a few. */
 static void divide(const ew_device *device, const plan_task *task, prepared_plan *prepared)
 {
-    const ew_pass pass = prepared->on_grid ? EW_PASS_CELLS : EW_PASS_WAVE;
+    const ew_pass pass = prepared->on_grid ? EW_PASS_CELLS : prepared->drawing.plan->pass;
     int part_count = 0;
-    if (prepared->drawing.plan->pass != EW_PASS_WAVE || !device->gl.float_sums || device->light_sum.is_refused ||
+    if (pass == EW_PASS_MEDIA || !device->gl.float_sums || device->light_sum.is_refused ||
         !ew_permutation_can_be_split(prepared->key))
         return;
     for (int part = 0; part < EW_PART_COUNT; ++part)

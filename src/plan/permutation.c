@@ -152,8 +152,7 @@ ew_key ew_permutation_summed(ew_key key)
 bool ew_permutation_can_be_split(ew_key key)
 {
     /* Of the samples of a pixel, what they do to the target is averaged, not their light. */
-    return !(key & (EW_PERMUTATION_SIMPSON | EW_PERMUTATION_EVALUATIONS | EW_PERMUTATION_IRRADIANCE |
-                    EW_PERMUTATION_DEPTH_MULTISAMPLE));
+    return !(key & (EW_PERMUTATION_SIMPSON | EW_PERMUTATION_EVALUATIONS | EW_PERMUTATION_DEPTH_MULTISAMPLE));
 }
 
 bool ew_permutation_is_split(ew_key key)
