@@ -37,8 +37,8 @@ enum { EW_MAX_PLANS = 2 };
 ew_result ew_execute(ew_device *device, const ew_plan *const *plans, int plan_count, const ew_allocator *allocator,
                      ew_error *error);
 
-/* Takes one step towards a draw that does not wait, and says how many are left. Once the programs are ready, the last step
- * draws the plans outside of the view: some drivers finish shaders only in a first draw. */
+/* Takes one step towards a draw that does not wait, and says how many are left. The last step of each program is a draw outside
+ * of the view: some drivers finish shaders only in a first draw. */
 ew_result ew_execute_ahead(ew_device *device, const ew_plan *const *plans, int plan_count, const ew_allocator *allocator,
                            int *steps_left, ew_error *error);
 

@@ -130,6 +130,7 @@ static void write_parts(const shader_profile *profile, ew_key key)
             write_pass(profile, passes[i], ew_permutation_of_part(key, (ew_part)part));
     write_pass(profile, EW_PASS_WAVE, ew_permutation_summed(key));
     write_pass(profile, EW_PASS_CELLS, ew_permutation_summed(key));
+    write_pass(profile, EW_PASS_SURFACES, ew_permutation_summed(0));
 }
 
 /* Every integral that the kinds can have. */
@@ -196,6 +197,9 @@ static void write_surfaces(const shader_profile *profile)
         for (int kind = 0; kind < EW_KIND_COUNT; ++kind)
             write_pass(profile, EW_PASS_SURFACES, ew_permutation_with_count(key | (kind % 2 ? shaded : 0), kind, 1));
         write_pass(profile, EW_PASS_SURFACES, many | shaded);
+        for (int part = 0; part < EW_PART_COUNT; ++part)
+            if (ew_permutation_has_part(many, (ew_part)part))
+                write_pass(profile, EW_PASS_SURFACES, ew_permutation_of_part(many | shaded, (ew_part)part));
         write_pass(profile, EW_PASS_SURFACES, many | EW_PERMUTATION_SHADOWS | EW_PERMUTATION_DEPTH_MULTISAMPLE);
         write_pass(profile, EW_PASS_SURFACES, many | EW_PERMUTATION_DEPTH_MULTISAMPLE);
         write_pass(profile, EW_PASS_SURFACES, many | EW_PERMUTATION_SOURCE_TEXTURE);

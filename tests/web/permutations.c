@@ -1,7 +1,7 @@
 /*
  * Draws every kind of source with every option that a shader knows of, a frame each, by WebGL 2 on the page's canvas. Each
- * frame has an effect of its own, so that its shaders are compiled anew, step by step, before it is drawn. permutations.mjs calls
- * it, and measures.
+ * frame has an effect of its own, so that its shaders are compiled anew, step by step, before it is drawn. permutations.mjs
+ * calls it, and measures.
  */
 #include <emscripten.h>
 #include <emscripten/html5.h>
