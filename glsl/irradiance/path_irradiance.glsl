@@ -31,7 +31,7 @@ struct ew_short_piece {
 ew_short_piece ew_make_short_piece(const ew_surface surface, const ew_path_block path, const int i)
 {
 #ifdef EW_BENDS
-    if (ew_has_bends(path)) {
+    if (EW_HAS_BENDS(path)) {
         vec4 axis_x = ew_piece_unit(path, 5.0, i, 1);
         vec4 axis_y = ew_piece_unit(path, 5.0, i, 2);
         float bend = ew_piece_unit(path, 5.0, i, 3).w;
@@ -76,7 +76,7 @@ float ew_light_of_far_piece(const ew_surface surface, const ew_path_block path, 
 float ew_light_of_near_piece(const ew_surface surface, const ew_path_block path, const int i)
 {
 #ifdef EW_BENDS
-    if (ew_has_bends(path))
+    if (EW_HAS_BENDS(path))
         return ew_light_of_bend(surface, ew_bent_piece(path, i), ew_piece_unit(path, 5.0, i, 4).zw, path.weights.xy);
 #endif
     return ew_light_of_straight_piece(surface, path, ew_piece_unit(path, 2.0, i, 0), ew_piece_unit(path, 2.0, i, 1));
@@ -124,9 +124,12 @@ float ew_light_of_pieces(const ew_surface surface, const ew_path_block path, con
 
 float ew_irradiance_of(const ew_surface surface, const ew_path_block path)
 {
-    if (!ew_is_of_part(path) || length(path.ball.xyz - surface.position) >= path.ball.w + ew_light_reach()) return 0.0;
+#ifdef EW_PART
+    if (!ew_is_of_part(path)) return 0.0;
+#endif
+    if (length(path.ball.xyz - surface.position) >= path.ball.w + ew_light_reach()) return 0.0;
 #ifdef EW_JOINTS
-    if (ew_has_bends(path) || path.pieces.y > 0.0) return ew_light_of_pieces(surface, path, int(path.pieces.y));
+    if (EW_HAS_BENDS(path) || path.pieces.y > 0.0) return ew_light_of_pieces(surface, path, int(path.pieces.y));
 #endif
     vec4 start = vec4(path.ball.xyz - path.beam.xyz, 0.0);
     vec4 end = vec4(path.ball.xyz + path.beam.xyz, 1.0);
