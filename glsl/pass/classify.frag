@@ -16,13 +16,13 @@ out vec4 ew_class;
 const float EW_ERROR_OF_SURPLUS = 6.0;
 const float EW_ERROR_OF_DIFFERENCE = 1.0 / 12.0;
 
-vec4 ew_fourth_difference(vec4 a, vec4 b, vec4 c, vec4 d, vec4 e)
+vec4 ew_fourth_difference(const vec4 a, const vec4 b, const vec4 c, const vec4 d, const vec4 e)
 {
     return abs(a - 4.0 * b + 6.0 * c - 4.0 * d + e);
 }
 
 // Adds an edge to the largest difference, and to the middle of Coons' patch.
-void ew_take_edge(ivec2 node, ivec2 along, inout vec4 difference, inout vec4 middle)
+void ew_take_edge(const ivec2 node, const ivec2 along, inout vec4 difference, inout vec4 middle)
 {
     vec4 nodes[6] = ew_edge_nodes(node, along);
     difference = max(difference, ew_fourth_difference(nodes[0], nodes[1], nodes[2], nodes[3], nodes[4]));
@@ -31,7 +31,7 @@ void ew_take_edge(ivec2 node, ivec2 along, inout vec4 difference, inout vec4 mid
 }
 
 // The largest error that is to be expected.
-vec4 ew_interpolation_error(ivec2 first, int stride)
+vec4 ew_interpolation_error(const ivec2 first, const int stride)
 {
     ivec2 right_step = ivec2(stride, 0), up_step = ivec2(0, stride);
     vec4 difference = vec4(0.0), middle = vec4(0.0);
@@ -43,7 +43,7 @@ vec4 ew_interpolation_error(ivec2 first, int stride)
 }
 
 // The largest field at a patch's corners.
-float ew_field(ivec2 first, int stride)
+float ew_field(const ivec2 first, const int stride)
 {
     float most = 0.0;
     for (int i = 0; i < 4; ++i)
@@ -61,7 +61,7 @@ float ew_field(ivec2 first, int stride)
 #endif
 
 // Where there is no surface, view depth is infinite, and differences would be no numbers.
-float ew_finite_depth(ivec2 place, int i)
+float ew_finite_depth(const ivec2 place, const int i)
 {
     float depth = EW_WINDOW_DEPTH(place, i);
     return depth < 1e30 ? depth : 1e30;
@@ -75,7 +75,7 @@ struct ew_relief {
 };
 
 // Looks at `count` x `count` pixels that are `pitch` apart, and at those beside them.
-ew_relief ew_find_relief(ivec2 first_pixel, int count, int pitch)
+ew_relief ew_find_relief(const ivec2 first_pixel, const int count, const int pitch)
 {
     ivec2 origin = ew_grid.viewport.xy;
     ivec2 last = ew_grid.viewport.zw - 1;
@@ -120,13 +120,13 @@ ew_relief ew_find_relief(ivec2 first_pixel, int count, int pitch)
 
 // Whether a step along the ray changes next to nothing. The field is known on the surfaces of the nodes, so a step that is wider than a
 // cell always counts.
-bool ew_is_flat(float step, float width, float field, float allowed)
+bool ew_is_flat(const float step, const float width, const float field, const float allowed)
 {
     return step == 0.0 || (step < width && step * field <= allowed);
 }
 #endif
 
-bool ew_are_cells_smooth(ivec2 block)
+bool ew_are_cells_smooth(const ivec2 block)
 {
     ivec2 last = (ew_grid.viewport.zw - 1) / EW_CELL_SIZE;
     bool are_smooth = true;

@@ -2,7 +2,7 @@
 // width in cells.
 
 // Where the nodes of a patch lie: its lower left corner in the texture of nodes.
-ivec2 ew_first_node(ivec2 patch_place, int stride)
+ivec2 ew_first_node(const ivec2 patch_place, const int stride)
 {
     return patch_place * stride + EW_NODE_MARGIN;
 }
@@ -16,7 +16,7 @@ const int EW_DARK = 253;
 // A torn cell's class is which of its quarters are torn, as bits: 1 + 2 for the lower ones, 1 + 4 for the left ones.
 const int EW_LAST_TORN = 15;
 
-int ew_read_class(sampler2D classes, ivec2 place)
+int ew_read_class(sampler2D classes, const ivec2 place)
 {
     return int(255.0 * texelFetch(classes, place, 0).r + 0.5);
 }
@@ -26,7 +26,7 @@ const float EW_UNRESOLVED = 1e30;
 
 #ifdef EW_FIELD
 // How long a cell's diagonal is at the ray parameter s, in ray space.
-float ew_cell_diagonal(float s)
+float ew_cell_diagonal(const float s)
 {
     vec2 right = ew_frame.ray_right.xy + s * ew_frame.ray_right.zw;
     vec2 up = ew_frame.ray_up.xy + s * ew_frame.ray_up.zw;
@@ -39,13 +39,13 @@ float ew_cell_diagonal(float s)
 uniform sampler2D ew_node_texture;
 uniform sampler2D ew_middle_texture;
 
-vec4 ew_node(ivec2 first, int stride, int x, int y)
+vec4 ew_node(const ivec2 first, const int stride, const int x, const int y)
 {
     return texelFetch(ew_node_texture, first + stride * ivec2(x, y), 0);
 }
 
 // The node in the middle of a patch.
-vec4 ew_middle_node(ivec2 first, int stride)
+vec4 ew_middle_node(const ivec2 first, const int stride)
 {
     return stride == 1 ? texelFetch(ew_middle_texture, first, 0) : texelFetch(ew_node_texture, first + stride / 2, 0);
 }

@@ -2,7 +2,7 @@
 
 out vec4 ew_color;
 
-vec4 ew_media_up_to(vec2 pixel, float share)
+vec4 ew_media_up_to(const vec2 pixel, const float share)
 {
     ew_segment segment = ew_pixel_segment(pixel);
     segment.end = ew_end_of_ray(share);

@@ -6,7 +6,7 @@ uniform sampler2D ew_block_texture;
 uniform int ew_stride;
 uniform bool ew_draws_torn;
 
-bool ew_is_drawn(ivec2 place)
+bool ew_is_drawn(const ivec2 place)
 {
 #ifdef EW_INTERPOLATED
     if (ew_stride > 1) return ew_read_class(ew_block_texture, place) == EW_SMOOTH;

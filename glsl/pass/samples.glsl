@@ -18,7 +18,7 @@ struct ew_shaded_samples {
 };
 
 // Loops over samples test at their ends: see each.glsl.
-ew_shaded_samples ew_chosen_samples(ivec2 place)
+ew_shaded_samples ew_chosen_samples(const ivec2 place)
 {
     if (ew_surface_rank == EW_EVERY_SAMPLE) return ew_shaded_samples(ew_samples.x, ew_samples.y, 0.0);
     float sum = 0.0;
@@ -33,7 +33,7 @@ ew_shaded_samples ew_chosen_samples(ivec2 place)
 // How much window depth changes from a pixel to the next along its surface. On a plane that is the same on both sides. At a silhouette the
 // smaller difference is the surface's own, and beside what is thinner than a pixel the two cancel each other. At the border of what is drawn
 // there is one.
-float ew_depth_slope(ivec2 place, ivec2 step, float depth)
+float ew_depth_slope(const ivec2 place, const ivec2 step, const float depth)
 {
     ivec2 first = ew_grid.viewport.xy;
     ivec2 last = first + ew_grid.viewport.zw - 1;
@@ -47,7 +47,7 @@ float ew_depth_slope(ivec2 place, ivec2 step, float depth)
 }
 
 // How far apart the depths of samples of one surface may be. Samples are less than a pixel apart, and depths are rounded to 24 bits.
-float ew_depth_tolerance(ivec2 place)
+float ew_depth_tolerance(const ivec2 place)
 {
     const float rounding = 1.0 / 4194304.0;
     float depth = ew_window_depth(place, 0);
@@ -55,7 +55,7 @@ float ew_depth_tolerance(ivec2 place)
 }
 
 // Takes from the samples `left`, as bits, those that see the surface of the first, and returns them.
-int ew_take_surface(ivec2 place, float tolerance, inout int left)
+int ew_take_surface(const ivec2 place, const float tolerance, inout int left)
 {
     int first = findLSB(left);
     float depth = ew_window_depth(place, first);
@@ -67,7 +67,7 @@ int ew_take_surface(ivec2 place, float tolerance, inout int left)
     return surface;
 }
 
-float ew_mean_depth(ivec2 place, int samples)
+float ew_mean_depth(const ivec2 place, const int samples)
 {
     float sum = 0.0;
     for (int i = 0; i < min(ew_samples.y, EW_MAX_SAMPLES); ++i)
@@ -76,7 +76,7 @@ float ew_mean_depth(ivec2 place, int samples)
 }
 
 // Discards pixels that have no such surface.
-ew_shaded_samples ew_samples_to_shade(ivec2 place)
+ew_shaded_samples ew_samples_to_shade(const ivec2 place)
 {
     gl_SampleMask[0] = -1;
     if (ew_surface_rank < 0) return ew_chosen_samples(place);
@@ -94,14 +94,14 @@ ew_shaded_samples ew_samples_to_shade(ivec2 place)
     return ew_shaded_samples(first, first + 1, ew_mean_depth(place, surface));
 }
 #else
-ew_shaded_samples ew_samples_to_shade(ivec2 place)
+ew_shaded_samples ew_samples_to_shade(const ivec2 place)
 {
     return ew_chosen_samples(place);
 }
 #endif
 
 // The depth up to which sample i is shaded.
-float ew_depth_to_shade(ew_shaded_samples shaded, ivec2 place, int i)
+float ew_depth_to_shade(const ew_shaded_samples shaded, const ivec2 place, const int i)
 {
     return ew_surface_rank == EW_EVERY_SAMPLE ? ew_window_depth(place, i) : shaded.depth;
 }

@@ -12,7 +12,7 @@ const float EW_FOG_PANEL = 2.0;
 const int EW_MAX_FOG_PANELS = 64;
 
 // The longest panel from s on. With a decay, 1 / v must be a polynomial of v, too: see ew_map_fog_panel.
-float ew_longest_fog_panel(float s, float along, float optical_depth)
+float ew_longest_fog_panel(const float s, const float along, const float optical_depth)
 {
     float way = ew_longest_in_fog(s, along, optical_depth);
 #ifndef EW_WORLD
@@ -26,7 +26,7 @@ const float EW_QUINTIC_FAR = 8.0;
 
 // How long a panel of ew_integrate_quintic may be from s on, for the polynomial to err by 4e-4 at worst, and mostly by 1e-4. With a decay it
 // errs most where the fog thickens.
-float ew_longest_quintic(float s, vec4 weight)
+float ew_longest_quintic(const float s, const vec4 weight)
 {
     float steepness = ew_fog_extinction + ew_body_extinction;
 #ifdef EW_FOG_HEIGHT
@@ -66,7 +66,7 @@ vec3 ew_small_power(vec3 x)
 }
 
 // (exp(x) - 1) / x for |x| < 1.5: the mean of the extinction over x scales of height, relative to where they begin. Relative error 2e-5.
-vec3 ew_small_mean(vec3 x)
+vec3 ew_small_mean(const vec3 x)
 {
     return 1.0 + x * (0.5 + x * (0.16666667 + x * (0.041666667 + x * (0.0083333333 + x * (0.0013888889 +
                  x * (0.00019841270 + x * 0.000024801587))))));
@@ -75,14 +75,14 @@ vec3 ew_small_mean(vec3 x)
 #ifdef EW_FOG_HEIGHT
 // The scales of height by which places of a panel that is so long, `way` from its middle, are below that. A panel of more of them than the
 // series take is one in which there is next to no fog.
-vec3 ew_scales_in_panel(vec3 way, float size)
+vec3 ew_scales_in_panel(const vec3 way, const float size)
 {
     return mix(-ew_fog_rise * way, vec3(0.0), bvec3(abs(ew_fog_rise) * size > 2.5));
 }
 #endif
 
 // The transmittance at places of a panel that is so long, `way` from its middle, where `fog` is, over that in the middle.
-vec3 ew_transmittance_in_panel(vec2 fog, vec3 way, float size)
+vec3 ew_transmittance_in_panel(const vec2 fog, const vec3 way, const float size)
 {
 #ifdef EW_FOG_HEIGHT
     float middle = mix(fog.y, 0.0, abs(ew_fog_rise) * size > 2.5);
@@ -96,7 +96,7 @@ vec3 ew_transmittance_in_panel(vec2 fog, vec3 way, float size)
 // weight.x + weight.y y + weight.z y^2 with y = s - weight.w. t goes from -1 to 1 along the panel, linear in s; or, with a decay, in
 // v = 1 / (s + beta), as there the field in v is 1 / r with r^2 quadratic, too: see ew_integrate_reciprocal. What multiplies 1 / r is taken for the
 // polynomial that has its values and slopes at -1, 0 and 1.
-float ew_integrate_quintic(float b2, float k, float s0, vec2 panel, vec4 weight, float inverse_reach)
+float ew_integrate_quintic(const float b2, const float k, const float s0, const vec2 panel, const vec4 weight, const float inverse_reach)
 {
     float size = panel.y - panel.x;
 #ifdef EW_WORLD
@@ -205,7 +205,7 @@ float ew_integrate_quintic(float b2, float k, float s0, vec2 panel, vec4 weight,
 }
 
 // b2, k and s0 of the field in the core, 1 / r'.
-vec3 ew_field_in_core(vec4 glow, float s0)
+vec3 ew_field_in_core(const vec4 glow, const float s0)
 {
 #ifdef EW_CORE_PIXELS
     return vec3(ew_core_radius2(glow), max(ew_core_growth2(), 1e-30), -ew_view_depth.x / ew_view_depth.y);
@@ -216,7 +216,7 @@ vec3 ew_field_in_core(vec4 glow, float s0)
 
 // The same over a part, with the core, in which 1 / r' takes the place of the reciprocal distance: it is of the same form. Panels end at the
 // core's edges.
-float ew_integrate_in_fog(float b2, float k, float s0, vec2 part, vec2 core, vec4 weight, vec4 glow)
+float ew_integrate_in_fog(const float b2, const float k, const float s0, const vec2 part, vec2 core, const vec4 weight, const vec4 glow)
 {
     core = mix(part.yy, clamp(core, part.x, part.y), bvec2(core.x < core.y));
     vec3 in_core = ew_field_in_core(glow, s0);

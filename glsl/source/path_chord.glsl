@@ -12,5 +12,8 @@ vec2 ew_chord(const ew_segment segment, const ew_path_block path)
         vec2 cylinder = ew_chord_of(ew_length_squared(to_line - s0 * across), k, s0, path.glow.y, segment.end);
         chord = vec2(max(chord.x, cylinder.x), min(chord.y, cylinder.y));
     }
+#ifdef EW_PART
+    chord = mix(vec2(0.0), chord, bvec2(ew_is_of_part(path)));
+#endif
     return chord;
 }
