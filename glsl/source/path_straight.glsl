@@ -1,7 +1,7 @@
 // Paths of straight pieces.
 
 // The line's part of a straight piece without weights: what lies between the planes.
-float ew_integrate_slab(const ew_segment segment, const ew_slab slab, const vec2 part, const vec4 glow)
+float ew_integrate_slab(const ew_segment segment, const ew_slab slab, vec2 part, const vec4 glow)
 {
     float b2, k, s0;
     ew_find_line(segment, slab, glow, part, b2, k, s0);

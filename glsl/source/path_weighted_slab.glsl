@@ -7,7 +7,7 @@ const vec4 EW_PATH_NODE_WEIGHTS = vec4(0.17392742, 0.32607258, 0.32607258, 0.173
 
 #ifdef EW_FOG
 // The same as ew_integrate_slab for a part of the piece on which the weight is one polynomial of the place along it.
-float ew_integrate_weighted_part(const ew_segment segment, const ew_slab slab, const vec2 part, const vec3 weight_by_t, const vec4 glow)
+float ew_integrate_weighted_part(const ew_segment segment, const ew_slab slab, vec2 part, const vec3 weight_by_t, const vec4 glow)
 {
     float b2, k, s0;
     ew_find_line(segment, slab, glow, part, b2, k, s0);
@@ -27,7 +27,7 @@ const int EW_MAX_PATH_PANELS = 64;
 
 // The same with the decay, by Gauss's rule in panels that grow from the line's peak outwards, and no faster than the depth:
 // none is longer than its distance from what is singular. Relative error 1e-4.
-float ew_integrate_weighted_part(const ew_segment segment, const ew_slab slab, const vec2 part, const vec3 weight_by_t, const vec4 glow)
+float ew_integrate_weighted_part(const ew_segment segment, const ew_slab slab, vec2 part, const vec3 weight_by_t, const vec4 glow)
 {
     float b2, k, s0;
     ew_find_line(segment, slab, glow, part, b2, k, s0);
@@ -86,7 +86,7 @@ float ew_integrate_weighted_side(const float b2, const float k, const float s0, 
 }
 
 // The same as ew_integrate_slab for a part of the piece on which the weight is one polynomial of the place along it.
-float ew_integrate_weighted_part(const ew_segment segment, const ew_slab slab, const vec2 part, const vec3 weight_by_t, const vec4 glow)
+float ew_integrate_weighted_part(const ew_segment segment, const ew_slab slab, vec2 part, const vec3 weight_by_t, const vec4 glow)
 {
     float b2, k, s0;
     ew_find_line(segment, slab, glow, part, b2, k, s0);
