@@ -66,9 +66,9 @@ float ew_way_through_thin_fog(const float s, const float along)
     return min(way, EW_THIN_FOG / max(ew_body_extinction, 1e-30));
 }
 
-// How long a panel from s on may be, along the ray or against it, for the transmittance to be a polynomial but for EW_FOG_PANEL's
-// error: no longer than `depth` of optical depth or two scales of height, unless there is next to no fog in it. The way that takes
-// `depth` is at least 2 depth / (2 e + g depth).
+// How long a panel from s on may be, along the ray or against it, for the transmittance to be next to a polynomial: no longer than `depth`
+// of optical depth or two scales of height, unless there is next to no fog in it. The way that takes `depth` is at least
+// 2 depth / (2 e + g depth).
 float ew_longest_in_fog(const float s, const float along, const float depth)
 {
     float growth = -along * ew_fog_rise;

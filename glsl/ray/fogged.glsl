@@ -1,25 +1,8 @@
 // The integral of a reciprocal distance whose square is quadratic along the ray, in fog: what the closed form of quadrature.glsl is
 // without. docs/method.md, section 16, has the derivation.
 
-// The optical depth of a panel: over so little the transmittance is a polynomial within 1e-4 of its mean; with a weight, which takes
-// two of the five degrees, over half of it.
-#ifdef EW_WEIGHTS
-const float EW_FOG_PANEL = 1.0;
-#else
-const float EW_FOG_PANEL = 2.0;
-#endif
 // More panels than any part takes.
 const int EW_MAX_FOG_PANELS = 64;
-
-// The longest panel from s on. With a decay, 1 / v must be a polynomial of v, too: see ew_map_fog_panel.
-float ew_longest_fog_panel(const float s, const float along, const float optical_depth)
-{
-    float way = ew_longest_in_fog(s, along, optical_depth);
-#ifndef EW_WORLD
-    way = max(min(way, 0.5 * (s + ew_beta())), ew_way_through_thin_fog(s, along));
-#endif
-    return way;
-}
 
 // Of moments about the middle of a panel whose source is so many half lengths away, little is left but rounding.
 const float EW_QUINTIC_FAR = 8.0;

@@ -168,15 +168,24 @@ float ew_width_to_edge(const ew_stretch stretch, const ew_progress progress)
 #endif
 
 #ifdef EW_FOG
+// The optical depth of a panel of four nodes; with a weight, half of that.
+#ifdef EW_WEIGHTS
+const float EW_REST_FOG = 0.5;
+#else
+const float EW_REST_FOG = 1.0;
+#endif
+
 // The longest panel, in x, for the fog.
 float ew_longest_rest(const ew_stretch stretch, const ew_progress progress)
 {
     bool is_near = progress.remaining >= 0.0;
 #ifdef EW_WORLD
-    return ew_longest_fog_panel(stretch.center - progress.x, mix(1.0, -1.0, is_near), 0.5 * EW_FOG_PANEL);
+    return ew_longest_in_fog(stretch.center - progress.x, mix(1.0, -1.0, is_near), EW_REST_FOG);
 #else
     float depth = stretch.depth / (1.0 + stretch.depth * progress.x);
-    float way = ew_longest_fog_panel(depth - ew_beta(), mix(1.0, -1.0, is_near), 0.5 * EW_FOG_PANEL);
+    float s = depth - ew_beta();
+    float along = mix(1.0, -1.0, is_near);
+    float way = max(min(ew_longest_in_fog(s, along, EW_REST_FOG), 0.5 * depth), ew_way_through_thin_fog(s, along));
     return way / (depth * mix(depth + way, max(depth - way, 1e-3 * depth), is_near));
 #endif
 }
