@@ -1,5 +1,5 @@
 #!/bin/sh
-# ew-bench-fog writes a page with two tables, of each scene at either resolution: a time without, and five positive ratios. Behind a
+# ew-bench-fog writes a page with two tables, of each scene at either resolution: a time without, and five positive numbers. Behind a
 # pane and among balls, where a source takes several legs, frames do take longer.
 # Usage: bench_fog_writes_a_report.sh EW_BENCH_FOG
 set -e
@@ -9,7 +9,7 @@ test "$(ls docs | tr '\n' ' ')" = 'fog-and-media-test.md '
 awk -F'|' '
     /^\| `/ {
         rows[$2]++
-        for (i = 3; i <= 8; i++) if (!($i > 0)) { print "FAILED: line " NR ": field " i " is no time: " $0; failed = 1 }
+        for (i = 3; i <= 8; i++) if (!($i + 0 > 0)) { print "FAILED: line " NR ": field " i " is no time: " $0; failed = 1 }
         for (i = 7; i <= 8; i++) sum[i] += $i
         count++
     }
