@@ -26,7 +26,8 @@
  * and (21); thesis (3.2) adds the lower limit of the distance. With alpha = beta = 1 and E twice as far away as S, the decay is
  * exactly the inverse square of the distance from the eye, scaled to 1 at S.
  *
- * One fragment shader on one quad over the viewport computes the whole integral, for all sources in one pass.
+ * A fragment shader on a quad over the viewport computes the whole integral, for all sources in one pass; or, of many kinds, in
+ * one for each of a few parts.
  *
  *     ew_effect *effect;
  *     ew_create_effect(&(ew_effect_desc){.get_proc_address = my_loader}, &effect, NULL);
