@@ -663,8 +663,8 @@ typedef struct ew_mix {
  *
  * A call takes one step of three at the most: it compiles a shader, or links it, or makes its first draw, in which some drivers
  * finish it; that is outside of the viewport. If the driver has GL_KHR_parallel_shader_compile and compiles on threads of its
- * own, no call waits for these, and a call takes a step with each shader, but draws with one. Others compile, link or draw while
- * they are called, so a call takes as long as its step.
+ * own, no call waits for these, and a call takes a step with each shader, but draws with one. Others compile, link or draw
+ * while they are called, so a call takes as long as its step.
  *
  * mix:      NULL means the effect's current sources.
  * frame:    as for ew_draw.
