@@ -26,7 +26,8 @@
  * and (21); thesis (3.2) adds the lower limit of the distance. With alpha = beta = 1 and E twice as far away as S, the decay is
  * exactly the inverse square of the distance from the eye, scaled to 1 at S.
  *
- * One fragment shader on one quad over the viewport computes the whole integral, for all sources in one pass.
+ * A fragment shader on a quad over the viewport computes the whole integral, for all sources in one pass; or, of many kinds, in
+ * one for each of a few parts.
  *
  *     ew_effect *effect;
  *     ew_create_effect(&(ew_effect_desc){.get_proc_address = my_loader}, &effect, NULL);
@@ -663,8 +664,8 @@ typedef struct ew_mix {
  *
  * A call takes one step of three at the most: it compiles a shader, or links it, or makes its first draw, in which some drivers
  * finish it; that is outside of the viewport. If the driver has GL_KHR_parallel_shader_compile and compiles on threads of its
- * own, no call waits for these, and a call takes a step with each shader, but draws with one. Others compile, link or draw while
- * they are called, so a call takes as long as its step.
+ * own, no call waits for these, and a call takes a step with each shader, but draws with one. Others compile, link or draw
+ * while they are called, so a call takes as long as its step.
  *
  * mix:      NULL means the effect's current sources.
  * frame:    as for ew_draw.

@@ -9,7 +9,7 @@ import { hideExtension, open } from './browser.mjs';
 
 const [program, folder] = process.argv.slice(2);
 const here = dirname(fileURLToPath(import.meta.url));
-// Milliseconds of a processor for a shader, from its text to its first draw: half as much again as was measured.
+// Milliseconds of a processor for a shader, from its text to its first draw: half as much again as is asked for, beside other work.
 const most = 1500, mostMegabytes = 1000;
 const mostDifference = 1; // of 255
 
