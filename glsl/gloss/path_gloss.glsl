@@ -11,7 +11,7 @@ float ew_gloss_of_piece(ew_surface surface, ew_gloss gloss, ew_path_block path, 
 {
 #ifdef EW_BENDS
     if (path.pieces.z != 0.0)
-        return ew_gloss_of_bend(surface, gloss, ew_bent_piece(path, i), ew_piece_unit(path, 5.0, i, 4).zw, path.weights.xy);
+        return ew_gloss_of_bend(surface, gloss, ew_bent_piece(path, i), ew_piece_unit(path, 7.0, i, 4).zw, path.weights.xy);
 #endif
     return ew_gloss_of_straight_piece(surface, gloss, path, ew_piece_unit(path, 2.0, i, 0), ew_piece_unit(path, 2.0, i, 1));
 }

@@ -11,7 +11,14 @@ vec3 ew_place_at(const ew_curve_block curve, const float tau)
 vec2 ew_chord_of_piece(const ew_segment segment, const ew_path_block path, const int i, vec2 chord)
 {
 #ifdef EW_REACH
-    if (ew_has_reach(path.glow)) chord = clamp(ew_chord(segment, ew_bent_piece(path, i)), chord.x, chord.y);
+    if (ew_has_reach(path.glow)) {
+        // The search goes on one beyond the last piece.
+        int piece = min(i, int(path.pieces.y) - 1);
+        vec4 ball = ew_piece_unit(path, 7.0, piece, 5);
+        vec4 along = ew_piece_unit(path, 7.0, piece, 6);
+        float reach = path.glow.y;
+        chord = clamp(ew_capsule_chord(segment, ball.xyz, along.xyz, ball.w + reach, along.w + reach), chord.x, chord.y);
+    }
 #endif
     return chord;
 }
@@ -43,11 +50,11 @@ float ew_integrate_bends(const ew_segment segment, const ew_path_block path, con
     float sum = 0.0;
     bool has_start = false; // the ray does not miss the first piece
     int done = 0;
-    int i = 0;
+    int i = ew_find_piece(segment, path, 0, chord);
+    // The next piece is looked for before the loop ends, so that a software rasteriser does not go through it for nothing.
     do {
-        i = ew_find_piece(segment, path, i, chord);
         if (i < count) {
-            vec4 domain = ew_piece_unit(path, 5.0, i, 4);
+            vec4 domain = ew_piece_unit(path, 7.0, i, 4);
             ew_curve_block curve = ew_bent_piece(path, i);
             ew_arc arc = ew_make_arc(segment, curve);
 #ifdef EW_WEIGHTS
@@ -70,6 +77,7 @@ float ew_integrate_bends(const ew_segment segment, const ew_path_block path, con
             last_weight = ew_path_weight(path, domain.w);
             end = ew_place_at(curve, arc.last);
             done = ++i;
+            i = ew_find_piece(segment, path, i, chord);
         }
     } while (i < count && i < EW_MAX_PATH_PIECES);
     bool has_end = done == count && (has_start || !is_closed);

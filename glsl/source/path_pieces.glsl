@@ -23,11 +23,11 @@ vec4 ew_piece_unit(const ew_path_block path, const float units, const int i, con
 // The i-th piece of a path, as a curve.
 ew_curve_block ew_bent_piece(const ew_path_block path, const int i)
 {
-    vec4 origin = ew_piece_unit(path, 5.0, i, 0);
-    vec4 axis_x = ew_piece_unit(path, 5.0, i, 1);
-    vec4 axis_y = ew_piece_unit(path, 5.0, i, 2);
-    vec4 axis_z = ew_piece_unit(path, 5.0, i, 3);
-    vec4 domain = ew_piece_unit(path, 5.0, i, 4);
+    vec4 origin = ew_piece_unit(path, 7.0, i, 0);
+    vec4 axis_x = ew_piece_unit(path, 7.0, i, 1);
+    vec4 axis_y = ew_piece_unit(path, 7.0, i, 2);
+    vec4 axis_z = ew_piece_unit(path, 7.0, i, 3);
+    vec4 domain = ew_piece_unit(path, 7.0, i, 4);
     return ew_curve_block(vec4(origin.xyz, path.weights.z), axis_x, axis_y, axis_z, vec4(domain.xy, path.weights.xy),
                           path.color, path.glow);
 }
