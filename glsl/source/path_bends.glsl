@@ -1,6 +1,9 @@
 // Paths with bent pieces.
 
 #ifdef EW_BENDS
+// The least share of a closed path's light that errors are compared with: rounding is not much less.
+const float EW_LEAST_SHARE = 0.01;
+
 vec3 ew_place_at(const ew_curve_block curve, const float tau)
 {
     return curve.origin.xyz + ew_slope_x(curve) * tau * curve.axis_x.xyz +
@@ -43,6 +46,11 @@ float ew_integrate_bends(const ew_segment segment, const ew_path_block path, con
 {
     int count = int(path.pieces.y);
     bool is_closed = path.pieces.w > 0.0;
+    // A closed path has as many joints as pieces: of its light, seen from beyond its ball, about as much is left as its size is of
+    // the distance.
+    float size2 = path.ball.w * path.ball.w * ew_length_squared(segment.direction);
+    float away2 = max(ew_length_squared(cross(path.ball.xyz - segment.origin, segment.direction)), 1e-30);
+    float share = mix(1.0, clamp(sqrt(size2 / away2), EW_LEAST_SHARE, 1.0), is_closed);
     vec2 start = chord.xx; // of a closed path, the part to which its start is nearest
     vec2 last = chord.xx;
     vec3 end = vec3(0.0);
@@ -57,6 +65,7 @@ float ew_integrate_bends(const ew_segment segment, const ew_path_block path, con
             vec4 domain = ew_piece_unit(path, 7.0, i, 4);
             ew_curve_block curve = ew_bent_piece(path, i);
             ew_arc arc = ew_make_arc(segment, curve);
+            arc.share = share;
 #ifdef EW_WEIGHTS
             arc.place = domain.z;
             arc.place_slope = domain.w - domain.z;
