@@ -37,8 +37,8 @@ struct ew_grid_block {
 
 // Fog, in units of ray space.
 struct ew_fog_block {
-    vec4 density; // x: the extinction; at height 0, if it changes with height; y: s where the fog of the frame's rays begins
-    vec4 height;  // of a place p: dot(height, vec4(p, 1)), in scales from the base up
+    vec4 density; // x: the extinction, unless it changes with height; y: s where the fog of the frame's rays begins
+    vec4 height;  // that is exp(-dot(height, vec4(p, 1))) at a place p, if it does
     ivec4 bodies; // x: how many bodies of media there are, y: how many of these are boxes, which come first
 };
 

@@ -39,7 +39,47 @@ ew_beam ew_meet_beam(const ew_segment segment, const ew_path_block path, const v
                    vec3(k, line_k, k), vec3(s0 - size * step, line_s0, s0 + size * step), planes, is_turned);
 }
 
-#ifdef EW_FOG
+#if defined(EW_FOG) && defined(EW_WORLD)
+// `weights` are those of the first end, the line and the last end. The panels of all three are one loop's, because where a group of
+// pixels meets one of them, a software rasteriser need not go through the others.
+float ew_integrate_beam_parts(const ew_beam beam, const vec2 chord, const vec3 weights, const vec4 glow)
+{
+    vec3 from = vec3(chord.x, beam.planes);
+    vec3 to = vec3(beam.planes, chord.y);
+#ifdef EW_REACH
+    if (ew_has_reach(glow)) {
+        vec3 b = sqrt(beam.b2);
+        vec3 half_chord = sqrt(max((glow.y - b) * (glow.y + b), 0.0) / beam.k);
+        from = clamp(from, beam.s0 - half_chord, beam.s0 + half_chord);
+        to = clamp(to, beam.s0 - half_chord, beam.s0 + half_chord);
+    }
+#endif
+    bvec3 is_lit = lessThan(from, to);
+    int part = is_lit.x ? 0 : is_lit.y ? 1 : 2;
+    float start = mix(mix(from.z, from.y, is_lit.y), from.x, is_lit.x);
+    float sum = 0.0;
+    float first = 0.0;
+    int panel = 0;
+    do {
+        bvec3 is_part = bvec3(part == 0, part == 1, part == 2);
+        vec4 of_part = mix(vec4(beam.b2.z, beam.k.z, beam.s0.z, to.z), vec4(beam.b2.y, beam.k.y, beam.s0.y, to.y), bvec4(is_part.y));
+        of_part = mix(of_part, vec4(beam.b2.x, beam.k.x, beam.s0.x, to.x), bvec4(is_part.x));
+        vec2 core = ew_core_on_ray(of_part.x, of_part.y, of_part.z, glow);
+        float end = min(start + ew_longest_cubic(start, core, glow), of_part.w);
+        vec2 light = ew_integrate_panel(of_part.x, of_part.y, of_part.z, core, vec2(start, end), glow);
+        sum += mix(mix(weights.z, weights.y, is_part.y), weights.x, is_part.x) * light.x;
+        first = mix(first, light.y, panel == 0);
+        bool is_over = end >= of_part.w;
+        bool is_line_next = is_part.x && is_lit.y;
+        bool is_last = !(is_line_next || (part < 2 && is_lit.z));
+        part = is_over ? is_last ? 3 : is_line_next ? 1 : 2 : part;
+        start = mix(end, mix(from.z, from.y, is_line_next), is_over);
+        if (light.y <= EW_FOG_HIDDEN * first) part = 3;
+    } while (part < 3 && ++panel < EW_MAX_FOG_PANELS);
+    ew_evaluation_count += 3;
+    return sum;
+}
+#elif defined(EW_FOG)
 // `weights` are those of the first end, the line and the last end.
 float ew_integrate_beam_parts(const ew_beam beam, const vec2 chord, const vec3 weights, const vec4 glow)
 {

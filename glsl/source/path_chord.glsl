@@ -19,5 +19,9 @@ vec2 ew_chord(const ew_segment segment, const ew_path_block path)
     bool is_beam = path.pieces.y == 0.0 && path.ball.w > 0.0;
     vec3 axis = mix(vec3(1.0, 0.0, 0.0), path.beam.xyz / max(path.ball.w, 1e-30), bvec3(is_beam));
     float reach = path.ball.w + path.glow.y;
-    return ew_capsule_chord(segment, path.ball.xyz, axis, reach, mix(reach, path.glow.y, is_beam));
+    vec2 chord = ew_capsule_chord(segment, path.ball.xyz, axis, reach, mix(reach, path.glow.y, is_beam));
+#ifdef EW_PART
+    chord = mix(vec2(0.0), chord, bvec2(ew_is_of_part(path)));
+#endif
+    return chord;
 }

@@ -106,7 +106,7 @@ vec4 ew_moments_of_ways(const ew_point_ray ray, vec2 to, vec2 from, const float 
     vec4 at_core = (1.0 + ray.tilt * (max(-ray.s0, 0.0) - node)) * inversesqrt(ray.core2);
     vec4 field = mix(inversesqrt(max(node_distance2, ray.core2)), at_core, lessThan(node_distance2, vec4(ray.core2)));
     field = (field - ew_inverse_reach(glow)) * half_way.xxyy;
-    bvec2 is_far = greaterThan(ray.b2 + ray.k * center * center, EW_FOG_FAR * EW_FOG_FAR * ray.k * half_way * half_way);
+    bvec2 is_far = greaterThan(ray.b2 + ray.k * center * center, EW_CUBIC_FAR * EW_CUBIC_FAR * ray.k * half_way * half_way);
     field = mix(vec4(0.0), field, is_far.xxyy);
     node -= place;
     vec4 far_moments = vec4(dot(field, vec4(1.0)), dot(field, node), dot(field, node * node), dot(field, node * node * node));

@@ -32,6 +32,7 @@ float ew_integrate_piece_in_fog(const ew_segment segment, const ew_slab slab, co
     vec2 part = mix(vec2(planes.end, planes.start), vec2(planes.start, planes.end), bvec2(planes.is_along));
     float b2, k, s0;
     ew_find_line(segment, slab, path.glow, part, b2, k, s0);
+    vec2 core = ew_core_on_ray(b2, k, s0, path.glow);
     ew_point_ray ray = ew_make_point_ray(segment, position, path.glow);
     vec4 ends = ray.s0 + clamp(vec4(node.to, node.from) - ray.s0, -ray.half_chord, ray.half_chord);
     bool is_lit = has_line && part.x < part.y;
@@ -45,15 +46,15 @@ float ew_integrate_piece_in_fog(const ew_segment segment, const ew_slab slab, co
     float first = 0.0;
     int panel = 0;
     while (from < stop && panel < EW_MAX_FOG_PANELS) {
-        float to = min(from + ew_longest_cubic(from, path.glow), stop);
+        float to = min(from + ew_longest_cubic(from, core, path.glow), stop);
         float middle = 0.5 * (from + to);
-        vec4 moments = ew_moments_of_part(b2, k, s0, clamp(part, from, to), middle, path.glow);
+        vec4 moments = ew_moments_of_part(b2, k, s0, core, clamp(part, from, to), middle, path.glow);
         vec4 ways = clamp(clamp(ends, from, to) - ray.s0, -ray.half_chord, ray.half_chord);
         moments += weight * ew_moments_of_ways(ray, ways.xy, ways.zw, middle - ray.s0, path.glow);
         vec4 transmittance = ew_transmittance_cubic(middle, 0.5 * (to - from));
         sum += dot(moments, transmittance);
         first = mix(first, transmittance.x, panel == 0);
-        from = mix(to, stop, transmittance.x < EW_FOG_HIDDEN * first);
+        from = mix(to, stop, transmittance.x <= EW_FOG_HIDDEN * first);
         ++panel;
     }
     ew_evaluation_count += 2;

@@ -33,7 +33,7 @@ float ew_integrate_torus_panels(const ew_torus_side near, const vec2 near_core, 
         float size = min(longest * clearance, depth * (is_near ? longest / (4.0 + longest) : 0.5 * longest));
 #endif
 #ifdef EW_FOG
-        size = min(size, ew_longest_fog_panel(ew_s_on_side(side, from), side.depth_slope, 0.5 * EW_FOG_PANEL));
+        size = min(size, ew_longest_in_fog(ew_s_on_side(side, from), side.depth_slope, 1.5));
 #endif
         bool reaches_stop = size >= remaining;
         size = reaches_stop ? remaining : size;
@@ -56,18 +56,35 @@ float ew_integrate_torus_panels(const ew_torus_side near, const vec2 near_core, 
 }
 
 #ifdef EW_FOG
-// The integral over a core, less 1 / R.
-float ew_integrate_torus_core_in_fog(const ew_torus_side side, const vec2 core)
+// The parts of the ray, by s, that are in two cores of a side each, of which the near one comes first.
+vec4 ew_torus_cores(const ew_torus_side near, const vec2 near_core, const ew_torus_side far, const vec2 far_core)
 {
-    vec2 s = vec2(ew_s_on_side(side, core.x), ew_s_on_side(side, core.y));
-    s = vec2(min(s.x, s.y), max(s.x, s.y));
-    return s.x < s.y ? ew_integrate_in_fog(1.0, 1.0, s.x, s, s, vec4(1.0, 0.0, 0.0, 0.0), side.glow) : 0.0;
+    return vec4(ew_s_on_side(near, near_core.y), ew_s_on_side(near, near_core.x), ew_s_on_side(far, far_core.x),
+                ew_s_on_side(far, far_core.y));
+}
+
+// The integral over these, less 1 / R. One loop serves both, because a software rasteriser goes through each at least once.
+float ew_integrate_torus_cores_in_fog(const vec4 cores, const vec4 glow)
+{
+    vec3 field = ew_field_in_core(glow, cores.x);
+    const vec4 weight = vec4(1.0, 0.0, 0.0, 0.0);
+    float sum = 0.0;
+    float from = cores.x;
+    int panel = 0;
+    do {
+        bool is_near = from < cores.y;
+        from = mix(max(from, cores.z), from, is_near);
+        float to = min(from + ew_longest_quintic(from, weight), mix(cores.w, cores.y, is_near));
+        sum += ew_integrate_quintic(field.x, field.y, field.z, vec2(from, to), weight, ew_inverse_reach(glow));
+        from = to;
+    } while (from < cores.w && ++panel < EW_MAX_FOG_PANELS);
+    return sum;
 }
 #endif
 
 #ifdef EW_REACH
 // The integral over a part of 1 / max(r', distance) - 1 / R, where that is positive.
-float ew_integrate_torus_part(const ew_torus_ray ray, const ew_torus_zeros zeros, ew_torus_part part, const vec4 glow)
+float ew_integrate_torus_part(const ew_torus_ray ray, const ew_torus_zeros zeros, const ew_torus_part part, const vec4 glow)
 {
     float sum = 0.0;
     float reach = glow.y > 0.0 ? glow.y : 1e15;
@@ -83,7 +100,9 @@ float ew_integrate_torus_part(const ew_torus_ray ray, const ew_torus_zeros zeros
         none.end = 0.0;
         sum = ew_integrate_torus_panels(none, vec2(0.0), part.side, core) / ray.direction2;
 #ifdef EW_FOG
-        sum += ew_integrate_torus_core_in_fog(part.side, core);
+        vec2 s = vec2(ew_s_on_side(part.side, core.x), ew_s_on_side(part.side, core.y));
+        s = vec2(min(s.x, s.y), max(s.x, s.y));
+        sum += ew_integrate_torus_cores_in_fog(vec4(s, s.yy), glow);
 #else
 #if defined(EW_WORLD) && defined(EW_CORE_PIXELS)
         vec2 radii = sqrt(vec2(ew_level_at(core2, core.x), ew_level_at(core2, core.y)));
@@ -153,7 +172,7 @@ float ew_integrate(const ew_segment segment, const ew_torus_block torus, const v
     vec2 far_core = ew_torus_core(far, distance2_at_cut, far_guess, ew_square(far_epsilon));
     vec2 near_core = ew_torus_core(near, distance2_at_cut, near_guess, ew_square(near_epsilon));
 #ifdef EW_FOG
-    float cores = ew_integrate_torus_core_in_fog(far, far_core) + ew_integrate_torus_core_in_fog(near, near_core);
+    float cores = ew_integrate_torus_cores_in_fog(ew_torus_cores(near, near_core, far, far_core), torus.glow);
 #else
     float cores = ew_integrate_torus_core(far, far_core, far_epsilon) + ew_integrate_torus_core(near, near_core, near_epsilon);
 #endif

@@ -69,9 +69,10 @@ float ew_s_on_side(const ew_torus_side side, const float x)
     return side.center + side.depth_slope * x;
 }
 
-vec3 ew_torus_transmittance(const ew_torus_side side, const ew_panel panel, const vec3 t)
+// How far places of a panel are from its middle, by s.
+vec3 ew_way_in_panel(const ew_torus_side side, const ew_panel panel, const vec3 t)
 {
-    return ew_transmittance(side.center + side.depth_slope * (panel.from + panel.scale * (1.0 + t) / (1.0 - panel.m * t)));
+    return side.depth_slope * (panel.scale * (1.0 + t) / (1.0 - panel.m * t) - 0.5 * panel.size);
 }
 #endif
 
@@ -112,8 +113,10 @@ float ew_integrate_torus_panel(const ew_torus_side side, const float from, const
     vec3 left = shrink.left * sqrt((beyond_left * beyond_left + height.left * height.left) / divisor.left);
 #endif
 #ifdef EW_FOG
-    vec3 transmittance_right = ew_torus_transmittance(side, panel, EW_PANEL_NODES);
-    vec3 transmittance_left = ew_torus_transmittance(side, panel, -EW_PANEL_NODES);
+    vec2 fog = ew_fog_at(ew_s_on_side(side, from + 0.5 * size));
+    float in_middle = ew_transmittance_of(vec4(fog.x)).x;
+    vec3 transmittance_right = in_middle * ew_transmittance_in_panel(fog, ew_way_in_panel(side, panel, EW_PANEL_NODES), size);
+    vec3 transmittance_left = in_middle * ew_transmittance_in_panel(fog, ew_way_in_panel(side, panel, -EW_PANEL_NODES), size);
     right *= transmittance_right;
     left *= transmittance_left;
 #endif

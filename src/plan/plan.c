@@ -122,7 +122,8 @@ static void pack_fog(const ew_fog *fog, const ew_view *view, const ew_ray_space 
         growth[i] = clamp_exponent(up[i] * space->length / fog->scale);
         at_anchor -= up[i] * ew_element(view->view, i, 3);
     }
-    block->height = ew_pack(growth, clamp_exponent((at_anchor - fog->base) / fog->scale));
+    double at_height_0 = log(fog->extinction * space->length);
+    block->height = ew_pack(growth, clamp_exponent((at_anchor - fog->base) / fog->scale - at_height_0));
 }
 
 /* Fills what dims light on its way. */
