@@ -223,7 +223,7 @@ typedef enum ew_path_kind {
  * weights:     as for curves, over the whole path. Each span between control points has an equal share of the parameter.
  *
  * A path has at most EW_MAX_PATH_PIECES pieces. Of the effect's capacity it takes 5 units, or 6 with a reach or a core of its
- * own; for each piece 2, or 5 if any is bent; and, with n weights, n - 2 more. */
+ * own; for each piece 2, or 7 if any is bent; and, with n weights, n - 2 more. */
 #define EW_MAX_PATH_PIECES 600
 
 typedef struct ew_path {

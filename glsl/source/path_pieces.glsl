@@ -29,7 +29,7 @@ ew_curve_block ew_bent_piece(const ew_path_block path, const int i)
         axis_x = axis_y;
         axis_y = axis_z;
         axis_z = domain;
-        domain = ew_piece_unit(path, 5.0, i, unit);
+        domain = ew_piece_unit(path, 7.0, i, unit);
     }
     return ew_curve_block(vec4(origin.xyz, path.weights.z), axis_x, axis_y, axis_z, vec4(domain.xy, path.weights.xy),
                           path.color, path.glow);

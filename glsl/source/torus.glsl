@@ -84,7 +84,7 @@ float ew_integrate_torus_cores_in_fog(const vec4 cores, const vec4 glow)
 
 #ifdef EW_REACH
 // The integral over a part of 1 / max(r', distance) - 1 / R, where that is positive.
-float ew_integrate_torus_part(const ew_torus_ray ray, const ew_torus_zeros zeros, const ew_torus_part part, const vec4 glow)
+float ew_integrate_torus_part(const ew_torus_ray ray, const ew_torus_zeros zeros, ew_torus_part part, const vec4 glow)
 {
     float sum = 0.0;
     float reach = glow.y > 0.0 ? glow.y : 1e15;
