@@ -401,10 +401,10 @@ typedef enum ew_depth_source {
      * opaque. */
     EW_DEPTH_TEXTURE,
     /* `depth_texture`, a multisampled 2D texture of such a format. Needs OpenGL, or OpenGL ES 3.1. If the target has as many
-     * samples, each sample gets the light up to the surface that it sees, so the host resolves finished samples. As a rasteriser
-     * does, the library shades a surface once a pixel, at the pixel's centre, for all samples that see it; contexts before
-     * OpenGL 4.0 and OpenGL ES 3.2 shade each sample of a silhouette. Any other target gets each pixel's light averaged over the
-     * depth samples, drawn over a background that no longer has samples of its own. */
+     * samples, each sample gets the light up to the surface that it sees, so the host resolves finished samples. As a
+     * rasteriser does, the library shades a surface once a pixel, at the pixel's centre, for all samples that see it; contexts
+     * before OpenGL 4.0 and OpenGL ES 3.2 shade each sample of a silhouette. Any other target gets each pixel's light averaged
+     * over the depth samples, drawn over a background that no longer has samples of its own. */
     EW_DEPTH_TEXTURE_MULTISAMPLE,
     /* The depth of `framebuffer` itself, which may be 0. The library copies the part under the viewport (and the scissor) to a
      * texture of its own. Nothing else works if the host draws to a window's framebuffer or to a depth renderbuffer, or keeps
