@@ -92,7 +92,8 @@ Each picture stands above the command that drew it. `./run gallery` redraws all 
 `./run demo` shows the court in a window. You can fly through it, and switch between the integrators by keys while it runs. Every
 light is of the world integral, in metres, and drawn with the composite `soft` as the library gives it: the demo grades nothing.
 The stone beneath it is the demo's own, with its moonlight, reflection and tone mapping; what glows lights it, with shadows, by
-`EW_OUTPUT_SURFACES`.
+`EW_OUTPUT_SURFACES`. Mist lies on the floor: the frame's `fog` dims the light in it, and the demo dims its stone by the same. The gas
+round the emitters is `media`, and so is the force field that flares up where the beam hits.
 
 ![The court: lightning charges an orb, the orb fires a beam, and a ring spreads](gallery/court.webp)
 
@@ -145,7 +146,8 @@ end_row
 text << 'TEXT'
 ## In fog and behind glass
 
-Light pales on its way to the eye, inside the integral. What fog does to the stone is the host's business, and is left out here.
+Light pales on its way to the eye, inside the integral. What fog does to the stone is the host's business, and is left out here; the
+court above has both.
 TEXT
 row 'no fog' '"extinction": 0.03' 'by height: "extinction": 0.25, "scale": 1.2'
 picture showpiece-clear ew-render demo/scenes/showpiece.json --size 320x180

@@ -26,7 +26,8 @@
  * and (21); thesis (3.2) adds the lower limit of the distance. With alpha = beta = 1 and E twice as far away as S, the decay is
  * exactly the inverse square of the distance from the eye, scaled to 1 at S.
  *
- * One fragment shader on one quad over the viewport computes the whole integral, for all sources in one pass.
+ * A fragment shader on a quad over the viewport computes the whole integral, for all sources in one pass; or, of many kinds, in
+ * one for each of a few parts.
  *
  *     ew_effect *effect;
  *     ew_create_effect(&(ew_effect_desc){.get_proc_address = my_loader}, &effect, NULL);
@@ -222,7 +223,7 @@ typedef enum ew_path_kind {
  * weights:     as for curves, over the whole path. Each span between control points has an equal share of the parameter.
  *
  * A path has at most EW_MAX_PATH_PIECES pieces. Of the effect's capacity it takes 5 units, or 6 with a reach or a core of its
- * own; for each piece 2, or 5 if any is bent; and, with n weights, n - 2 more. */
+ * own; for each piece 2, or 7 if any is bent; and, with n weights, n - 2 more. */
 #define EW_MAX_PATH_PIECES 600
 
 typedef struct ew_path {
@@ -400,15 +401,16 @@ typedef enum ew_depth_source {
      * opaque. */
     EW_DEPTH_TEXTURE,
     /* `depth_texture`, a multisampled 2D texture of such a format. Needs OpenGL, or OpenGL ES 3.1. If the target has as many
-     * samples, the light is drawn over each sample with that sample's own depth, in one pass a sample, so the host resolves
-     * finished samples. Any other target gets each pixel's light averaged over the depth samples, drawn over a background that
-     * no longer has samples of its own. */
+     * samples, each sample gets the light up to the surface that it sees, so the host resolves finished samples. As a
+     * rasteriser does, the library shades a surface once a pixel, at the pixel's centre, for all samples that see it; contexts
+     * before OpenGL 4.0 and OpenGL ES 3.2 shade each sample of a silhouette. Any other target gets each pixel's light averaged
+     * over the depth samples, drawn over a background that no longer has samples of its own. */
     EW_DEPTH_TEXTURE_MULTISAMPLE,
     /* The depth of `framebuffer` itself, which may be 0. The library copies the part under the viewport (and the scissor) to a
      * texture of its own. Nothing else works if the host draws to a window's framebuffer or to a depth renderbuffer, or keeps
      * its depth texture attached. The copy grows to the largest viewport. When the format changes or the copy grows, it is
-     * allocated anew and GL's error flag is cleared. Of a multisampled framebuffer, OpenGL copies every sample, and each is
-     * drawn with its own depth, as above. OpenGL ES reduces the samples to one depth a pixel, in a way of its own choice, so
+     * allocated anew and GL's error flag is cleared. Of a multisampled framebuffer, OpenGL copies every sample, and they
+     * are drawn as above. OpenGL ES reduces the samples to one depth a pixel, in a way of its own choice, so
      * edges may be a pixel off. */
     EW_DEPTH_FRAMEBUFFER,
     /* Level 0 of `depth_texture`, a 2D texture of a float format, with the view depth in world units in its red channel,
@@ -641,8 +643,14 @@ typedef struct ew_mix {
 
 #define EW_ANY_COUNT 2
 
-/* Compiles ahead of time, so that ew_draw need not wait: starts to compile the shader that draws `mix` as `frame` says, and
- * reports whether it is ready. Call it again, every frame or so, until it is.
+/* Compiles ahead of time, so that ew_draw need not wait: starts to compile the shader that draws `mix` as `frame` says, or the
+ * few that do, and reports whether it is ready. Call it again, every frame or so, until it is.
+ *
+ * One shader for all kinds would take long to compile. So where curves or bent paths come together with other kinds, and in
+ * fog, what is straight, tori, curves and bent paths have a shader each, which many mixes share. Their light is summed up
+ * before it is composited, in a texture of 16 bytes for each pixel of the largest viewport, allocated when one is larger than
+ * any before. There is one shader for all where the context cannot blend in float textures (OpenGL ES without
+ * EXT_float_blend), for EW_DEPTH_TEXTURE_MULTISAMPLE, EW_INTEGRATOR_SIMPSON and EW_OUTPUT_EVALUATIONS.
  *
  * A shader depends on the mix, on the frame's integrator, output, depth and dither, and on whether it has an interval,
  * core_pixels, fog, even or by height, and media. The driver may also finish it only for the context and the framebuffer format
@@ -654,9 +662,10 @@ typedef struct ew_mix {
  * waits. It may also prepare the current sources whenever they change, to draw with their faster shader once that is ready. A
  * shader that was prepared on a loading thread must be prepared once more in the context that will draw, which is quicker.
  *
- * A call takes one step of three at the most: it compiles, or links, or makes the first draw, in which some drivers finish a
- * shader; that is outside of the viewport. If the driver has GL_KHR_parallel_shader_compile and compiles on threads of its own,
- * no call waits for these. Others compile, link or draw while they are called, so a call takes as long as its step.
+ * A call takes one step of three at the most: it compiles a shader, or links it, or makes its first draw, in which some drivers
+ * finish it; that is outside of the viewport. If the driver has GL_KHR_parallel_shader_compile and compiles on threads of its
+ * own, no call waits for these, and a call takes a step with each shader, but draws with one. Others compile, link or draw
+ * while they are called, so a call takes as long as its step.
  *
  * mix:      NULL means the effect's current sources.
  * frame:    as for ew_draw.

@@ -149,6 +149,24 @@ static void set_ring(demo_animation *a, double seconds)
     a->ring.brightness = 1.8 * ramp(0, 0.3, since) * (1 - ramp(0.6, ring_seconds, since));
 }
 
+/* The gas in the globes glows with the emitters' power. */
+static void set_globes(demo_animation *a, double seconds)
+{
+    static const double moonlit[3] = {0.004, 0.006, 0.012};
+    static const double colors[ANIMATION_GLOBES][3] = {{0.10, 0.16, 0.45}, {0.03, 0.28, 0.25}};
+    for (int i = 0; i < ANIMATION_GLOBES; i++) {
+        double light = 0.1 + power(seconds) * (0.5 + 0.08 * flicker(seconds, 31 + (unsigned)i));
+        vector_add_scaled(moonlit, light, colors[i], a->media[i].ambient);
+    }
+}
+
+/* The force field flares up where the beam hits it. */
+static void set_shield(demo_animation *a)
+{
+    static const double at_rest[3] = {0.006, 0.016, 0.020}, color[3] = {0.015, 0.08, 0.095};
+    vector_add_scaled(at_rest, a->points[ANIMATION_IMPACT].brightness, color, a->media[ANIMATION_SHIELD].ambient);
+}
+
 /* Before the court, to and fro; or from far away into the orb, nearer by the same factor in every second. */
 static void set_camera(scene_camera *camera, bool flies, double seconds)
 {
@@ -208,6 +226,23 @@ static void init_paths(demo_animation *a)
     }
 }
 
+static ew_medium body(const double center[3], double across, double up, double extinction)
+{
+    ew_medium medium = {.shape = EW_MEDIUM_ELLIPSOID,
+                        .half_axes = {{across, 0, 0}, {0, up, 0}, {0, 0, across}},
+                        .extinction = extinction,
+                        .albedo = 1};
+    vector_copy(center, medium.center);
+    return medium;
+}
+
+static void init_media(demo_animation *a)
+{
+    for (int i = 0; i < ANIMATION_GLOBES; i++)
+        a->media[i] = body(court_emitters[i], 0.6, 0.6, 0.9);
+    a->media[ANIMATION_SHIELD] = body(court_shield, 1.7, 3.6, 0.2);
+}
+
 void animation_init(demo_animation *a)
 {
     *a = (demo_animation){.scene = {.camera = {.up = {0, 1, 0}, .fov_y_degrees = 42, .near_depth = 0.05, .far_depth = 300},
@@ -218,10 +253,12 @@ void animation_init(demo_animation *a)
                                     .light_gain = 12,
                                     .light_reach = 6,
                                     .shadow_thickness = 1.2,
+                                    .fog = {.extinction = 0.09, .up = {0, 1, 0}, .scale = 1.3},
                                     .background = {0.0018, 0.003, 0.008},
                                     .composite = EW_OUTPUT_SOFT}};
     init_points(a);
     init_paths(a);
+    init_media(a);
     ew_sources_desc *sources = &a->scene.sources;
     sources->points = a->points;
     sources->point_count = ANIMATION_POINTS;
@@ -229,6 +266,8 @@ void animation_init(demo_animation *a)
     sources->torus_count = 1;
     sources->paths = a->paths;
     sources->path_count = ANIMATION_PATHS;
+    a->scene.media = a->media;
+    a->scene.medium_count = ANIMATION_MEDIA;
     a->scene.opaque = a->shapes;
     a->scene.opaque_count = court_make_shapes(a->shapes);
 }
@@ -239,10 +278,12 @@ void animation_set_time(demo_animation *a, double seconds)
     if (in_repetition < 0) in_repetition += ANIMATION_SECONDS;
     set_orb(a, in_repetition);
     set_ring(a, in_repetition);
+    set_globes(a, in_repetition);
     set_lightning(a, in_repetition);
     set_stream(a, in_repetition);
     set_spiral(a, in_repetition);
     set_slash(a, in_repetition);
     set_beam(a, in_repetition);
+    set_shield(a);
     set_camera(&a->scene.camera, a->flies, in_repetition);
 }

@@ -12,6 +12,8 @@
 
 enum { ANIMATION_ORB, ANIMATION_IMPACT, ANIMATION_POINTS };
 enum { ANIMATION_BOLT, ANIMATION_BRANCH, ANIMATION_STREAM, ANIMATION_SPIRAL, ANIMATION_SLASH, ANIMATION_BEAM, ANIMATION_PATHS };
+/* Globes of gas round the emitters, and a force field round the pillar that the orb fires at. */
+enum { ANIMATION_GLOBES = 2, ANIMATION_SHIELD = ANIMATION_GLOBES, ANIMATION_MEDIA };
 enum { ANIMATION_PATH_POINTS = 40, ANIMATION_WEIGHTS = 40 };
 
 /* The scene at one moment. It points into this structure, which must therefore not be copied. */
@@ -20,6 +22,7 @@ typedef struct demo_animation {
     bool flies; /* the camera flies from 100 m away into the orb, rather than sway before the court */
     ew_point points[ANIMATION_POINTS];
     ew_torus ring;
+    ew_medium media[ANIMATION_MEDIA];
     ew_path paths[ANIMATION_PATHS];
     double path_points[ANIMATION_PATHS][ANIMATION_PATH_POINTS][3];
     double weights[ANIMATION_PATHS][ANIMATION_WEIGHTS];

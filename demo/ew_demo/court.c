@@ -5,6 +5,7 @@
 const double court_orb[3] = {0, 3.3, 0};
 const double court_emitters[2][3] = {{-6.4, 2.05, 2.2}, {5.8, 2.05, 0.6}};
 const double court_target[3] = {-8.12, 2.9, -1.3};
+const double court_shield[3] = {-8.6, 3.65, -1.5};
 const double court_spiral_base[3] = {7.0, 0.45, 4.9};
 
 static const double stone[3] = {0.26, 0.27, 0.30};

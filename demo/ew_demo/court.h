@@ -19,6 +19,9 @@ extern const double court_emitters[2][3];
 /* What the orb fires at: a place on a pillar. */
 extern const double court_target[3];
 
+/* The middle of that pillar. */
+extern const double court_shield[3];
+
 /* The foot of the pillar round which a spiral winds. */
 extern const double court_spiral_base[3];
 

@@ -65,10 +65,10 @@ static bool make_targets(demo_display *display, const display_view *view, char *
     display->width = width;
     display->height = height;
     display->samples_per_axis = samples;
-    if (complete && gl->GetError() == GL_NO_ERROR) return true;
+    const GLenum error = gl->GetError();
+    if (complete && error == GL_NO_ERROR) return true;
     delete_targets(display);
-    message_write(message, size, "--size: GL cannot make targets of %d x %d; ask for a smaller one", width * samples,
-                  height * samples);
+    texture_write_refusal(error, width * samples, height * samples, message, size);
     return false;
 }
 

@@ -13,6 +13,18 @@ enum { PANEL_WIDTH = 180, MARGIN = 8, ROW = 2 * OVERLAY_LINE + 4, BAR = 9 };
 static const unsigned char white[4] = {235, 240, 250, 255}, pale[4] = {160, 180, 210, 255}, shade[4] = {4, 6, 14, 200},
                            trough[4] = {60, 72, 96, 255}, filled[4] = {110, 160, 240, 255};
 
+static void add_sliders_of_medium(edit_panel *panel, const ew_medium *medium)
+{
+    panel->sliders[0] = (edit_slider){.key = "extinction",
+                                      .value = medium->extinction,
+                                      .least = 1e-2,
+                                      .most = 100,
+                                      .is_logarithmic = true,
+                                      .upper = HUGE_VAL};
+    panel->sliders[1] = (edit_slider){.key = "albedo", .value = medium->albedo, .least = 0, .most = 1, .upper = 1};
+    panel->slider_count = 2;
+}
+
 static void add_sliders(edit_panel *panel, const demo_scene *scene, const char *text, scene_part part)
 {
     source_light light = scene_part_light(scene, part);
@@ -37,7 +49,8 @@ static void add_sliders(edit_panel *panel, const demo_scene *scene, const char *
 edit_panel edit_panel_of(const demo_scene *scene, const char *text, scene_part part)
 {
     edit_panel panel = {.slider_count = 0};
-    if (part.kind != PART_OPAQUE) add_sliders(&panel, scene, text, part);
+    if (part_is_source(part.kind)) add_sliders(&panel, scene, text, part);
+    if (part.kind == PART_MEDIUM) add_sliders_of_medium(&panel, &scene->media[part.index]);
     scene_edit_title(text, part, panel.title, sizeof panel.title);
     return panel;
 }

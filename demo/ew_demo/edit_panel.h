@@ -1,6 +1,6 @@
 /*
  * The sliders of the selected part: what they show, where they are, and what the pointer and the keys do to them. Opaque shapes
- * have none.
+ * have none, media two.
  */
 #ifndef EDIT_PANEL_H
 #define EDIT_PANEL_H
@@ -14,11 +14,11 @@
 enum { EDIT_MOST_SLIDERS = 3, EDIT_NO_SLIDER = -1 };
 
 typedef struct edit_slider {
-    const char *key; /* of the source's member in the scene file */
+    const char *key; /* of the part's member in the scene file */
     double value;    /* 0 where there is none */
     double least, most;
     bool is_logarithmic;
-    double lower, upper; /* what the source's other members leave of it */
+    double lower, upper; /* what the part's other members leave of it */
 } edit_slider;
 
 typedef struct edit_panel {
@@ -42,7 +42,7 @@ typedef struct edit_place {
 bool edit_panel_has(const edit_panel *panel, edit_place place, double x, double y);
 int edit_panel_slider_at(const edit_panel *panel, edit_place place, double x, double y);
 
-/* What a slider says when it is dragged to a column of pixels: three digits, within what the source's other members allow. */
+/* What a slider says when it is dragged to a column of pixels: three digits, within what the part's other members allow. */
 double edit_panel_value_at(const edit_panel *panel, int slider, edit_place place, double x);
 
 /* What it says when it is moved by a part of its length: likewise, or what it said if it cannot go there. */

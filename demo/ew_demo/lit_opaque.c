@@ -1,6 +1,7 @@
 /* Opaque shapes in the energy's light: see lit_opaque.h. */
 #include "lit_opaque.h"
 #include "camera.h"
+#include "camera_ray.h"
 #include "court.h"
 #include "court_layers.h"
 #include "demo_shaders.h"
@@ -144,6 +145,28 @@ static void bind_texture(const lit_opaque *lit, const char *sampler, GLint unit,
     gl->Uniform1i(gl->GetUniformLocation(lit->compose_program, sampler), unit);
 }
 
+/* The stone and what it mirrors are fogged together, on the way from the floor to the eye: in the mirror itself there is no
+ * fog. */
+static void set_fog(const lit_opaque *lit, const lit_opaque_view *view)
+{
+    const gl_functions *gl = lit->gl;
+    const GLuint program = lit->compose_program;
+    const scene_camera *camera = &view->scene->camera;
+    const ew_fog *fog = &view->scene->fog;
+    const double aspect = (double)view->settings->width / view->settings->height;
+    double ray[3], right[3], up[3];
+    vector_copy(camera_ray_at(camera, aspect, (double[]){0, 0}).direction, ray);
+    vector_subtract(camera_ray_at(camera, aspect, (double[]){1, 0}).direction, ray, right);
+    vector_subtract(camera_ray_at(camera, aspect, (double[]){0, 1}).direction, ray, up);
+    set_vector(gl, program, "ray", ray);
+    set_vector(gl, program, "ray_right", right);
+    set_vector(gl, program, "ray_up", up);
+    set_vector(gl, program, "eye", camera->eye);
+    gl->Uniform2f(gl->GetUniformLocation(program, "depth_range"), (float)camera->near_depth, (float)camera->far_depth);
+    gl->Uniform1f(gl->GetUniformLocation(program, "fog_extinction"), view->is_mirrored ? 0 : (float)fog->extinction);
+    gl->Uniform1f(gl->GetUniformLocation(program, "fog_scale"), (float)fog->scale);
+}
+
 static void compose(const lit_opaque *lit, const court_layers *layers, const lit_opaque_view *view)
 {
     const gl_functions *gl = lit->gl;
@@ -154,13 +177,15 @@ static void compose(const lit_opaque *lit, const court_layers *layers, const lit
     set_vector(gl, program, "background", view->scene->background);
     gl->Uniform1i(gl->GetUniformLocation(program, "reflects"), view->reflection != 0);
     gl->Uniform2f(gl->GetUniformLocation(program, "pixel"), 1.0f / (float)layers->width, 1.0f / (float)layers->height);
+    set_fog(lit, view);
+    bind_texture(lit, "depth", 3, view->depth);
     bind_texture(lit, "reflection", 2, view->reflection);
     bind_texture(lit, "own_light", 1, layers->own_light);
     bind_texture(lit, "lit_albedo", 0, layers->albedo);
     gl->BindVertexArray(lit->no_vertices);
     gl->DrawArrays(GL_TRIANGLES, 0, 3);
     gl->BindVertexArray(0);
-    for (int unit = 2; unit >= 0; unit--) {
+    for (int unit = 3; unit >= 0; unit--) {
         gl->ActiveTexture(GL_TEXTURE0 + (GLenum)unit);
         gl->BindTexture(GL_TEXTURE_2D, 0);
     }

@@ -38,6 +38,7 @@ ew_result reflection_draw(const gl_functions *gl, floor_reflection *reflection, 
     render_target target = {.depth = reflection->depth, .effect_framebuffer = reflection->effect_framebuffer};
     ew_frame_desc frame = render_frame(scene, &half, &target);
     lit_opaque_mirror(frame.view);
+    frame.fog.extinction *= 1e-9; /* the floor's fog hides what it mirrors; with some fog left, the picture's shader serves */
     return ew_draw(effect, &frame, error);
 }
 

@@ -74,7 +74,7 @@ edit_panel window_edit_panel(demo_window *window)
 {
     scene_document *document = document_of(window);
     edit_panel panel = edit_panel_of(&document->scene, scene_document_text(document), window->edit.selected);
-    panel.chosen = window->edit.chosen_slider;
+    panel.chosen = window->edit.chosen_slider < panel.slider_count ? window->edit.chosen_slider : 0;
     panel.is_saved = !document->preview && scene_document_is_saved(document);
     return panel;
 }

@@ -56,8 +56,9 @@ static void select_next(demo_window *window, bool backwards)
 
 static void choose_slider(demo_window *window, int step)
 {
-    int chosen = window->edit.chosen_slider + step;
-    if (chosen >= 0 && chosen < EDIT_MOST_SLIDERS) window->edit.chosen_slider = chosen;
+    edit_panel panel = window_edit_panel(window);
+    int chosen = panel.chosen + step;
+    if (chosen >= 0 && chosen < panel.slider_count) window->edit.chosen_slider = chosen;
 }
 
 static void move_slider(demo_window *window, double way)

@@ -113,6 +113,49 @@ static part_handle opaque_handle(const opaque_shape *opaque, const scene_camera 
     return box_handle(opaque->shape.box.min, opaque->shape.box.max, index);
 }
 
+/* Of a sphere or an ellipsoid: its middle, and the radius of the one or the radii of the other. */
+static part_handle ellipsoid_handle(const ew_medium *medium, bool is_sphere, const scene_camera *camera, size_t index)
+{
+    double axes[3][3];
+    if (index == 0) return position_handle("center", medium->center);
+    camera_axes(camera, axes);
+    if (is_sphere) return radius_handle(medium->center, vector_length(medium->half_axes[0]), axes[0]);
+    part_handle handle = {.kind = HANDLE_RADII, .key = "radii", .element = index - 1};
+    vector_copy(medium->center, handle.from);
+    vector_add_scaled(medium->center, 1, medium->half_axes[index - 1], handle.position);
+    return handle;
+}
+
+static bool is_sphere(const char *text, scene_part medium)
+{
+    return scene_edit_has(text, medium, "radius");
+}
+
+/* The corners of an opaque box or a medium's. */
+static void box_corners(const demo_scene *scene, scene_part part, double min[3], double max[3])
+{
+    if (part.kind == PART_OPAQUE) {
+        vector_copy(scene->opaque[part.index].shape.box.min, min);
+        vector_copy(scene->opaque[part.index].shape.box.max, max);
+        return;
+    }
+    const ew_medium *medium = &scene->media[part.index];
+    for (int i = 0; i < 3; i++) {
+        min[i] = medium->center[i] - medium->half_axes[i][i];
+        max[i] = medium->center[i] + medium->half_axes[i][i];
+    }
+}
+
+static part_handle medium_handle(const demo_scene *scene, const char *text, scene_part part, const scene_camera *camera,
+                                 size_t index)
+{
+    const ew_medium *medium = &scene->media[part.index];
+    double min[3], max[3];
+    if (medium->shape == EW_MEDIUM_ELLIPSOID) return ellipsoid_handle(medium, is_sphere(text, part), camera, index);
+    box_corners(scene, part, min, max);
+    return box_handle(min, max, index);
+}
+
 size_t part_handle_count(const demo_scene *scene, const char *text, scene_part part)
 {
     switch (part.kind) {
@@ -127,9 +170,11 @@ size_t part_handle_count(const demo_scene *scene, const char *text, scene_part p
     case PART_PATH:
         return scene->sources.paths[part.index].point_count;
     case PART_OPAQUE:
+        return scene->opaque[part.index].kind == OPAQUE_BOX ? 3 : 2;
+    case PART_MEDIUM:
         break;
     }
-    return scene->opaque[part.index].kind == OPAQUE_BOX ? 3 : 2;
+    return scene->media[part.index].shape == EW_MEDIUM_BOX ? 3 : is_sphere(text, part) ? 2 : 4;
 }
 
 part_handle part_handle_at(const demo_scene *scene, const char *text, scene_part part, const scene_camera *camera, size_t index)
@@ -147,9 +192,11 @@ part_handle part_handle_at(const demo_scene *scene, const char *text, scene_part
     case PART_PATH:
         return element_handle("points", index, sources->paths[part.index].points[index]);
     case PART_OPAQUE:
+        return opaque_handle(&scene->opaque[part.index], camera, index);
+    case PART_MEDIUM:
         break;
     }
-    return opaque_handle(&scene->opaque[part.index], camera, index);
+    return medium_handle(scene, text, part, camera, index);
 }
 
 /* ---- Moving -------------------------------------------------------------------------------------------------------------- */
@@ -176,13 +223,14 @@ static void arrow_to(const part_handle *handle, const double place[3], double st
     round_vector(unit, pow(10, floor(log10(step / vector_length(arrow)))), result);
 }
 
-static char *move_box(const opaque_shape *box, const char *text, scene_part part, const part_handle *handle,
+static char *move_box(const demo_scene *scene, const char *text, scene_part part, const part_handle *handle,
                       const double place[3], double step)
 {
     double way[3], min[3], max[3];
     vector_subtract(place, handle->position, way);
-    vector_add_scaled(box->shape.box.min, 1, way, min);
-    vector_add_scaled(box->shape.box.max, 1, way, max);
+    box_corners(scene, part, min, max);
+    vector_add_scaled(min, 1, way, min);
+    vector_add_scaled(max, 1, way, max);
     round_vector(min, step, min);
     round_vector(max, step, max);
     char *half = scene_edit_set_vector(text, part, "min", min);
@@ -192,12 +240,25 @@ static char *move_box(const opaque_shape *box, const char *text, scene_part part
 }
 
 /* Each side of the box stays a step long at the least. */
-static void corner_at(const opaque_shape *box, handle_kind kind, const double place[3], double step, double result[3])
+static void corner_at(const demo_scene *scene, scene_part part, handle_kind kind, const double place[3], double step,
+                      double result[3])
 {
+    double min[3], max[3];
+    box_corners(scene, part, min, max);
     for (int i = 0; i < 3; i++)
-        result[i] =
-            kind == HANDLE_MIN ? fmin(place[i], box->shape.box.max[i] - step) : fmax(place[i], box->shape.box.min[i] + step);
+        result[i] = kind == HANDLE_MIN ? fmin(place[i], max[i] - step) : fmax(place[i], min[i] + step);
     round_vector(result, step, result);
+}
+
+/* The ellipsoid's radii, one of them as long as its axis has to the place. */
+static void radii_to(const ew_medium *medium, const part_handle *handle, const double place[3], double step, double result[3])
+{
+    double way[3], unit[3];
+    for (int i = 0; i < 3; i++)
+        result[i] = vector_length(medium->half_axes[i]);
+    vector_normalize(medium->half_axes[handle->element], unit);
+    vector_subtract(place, handle->from, way);
+    result[handle->element] = fmax(round_to(fabs(vector_dot(way, unit)), step), step);
 }
 
 char *part_handle_move(const demo_scene *scene, const char *text, scene_part part, const part_handle *handle,
@@ -217,10 +278,13 @@ char *part_handle_move(const demo_scene *scene, const char *text, scene_part par
         vector_subtract(place, handle->from, vector);
         return scene_edit_set_number(text, part, handle->key, fmax(round_to(vector_length(vector), step), step));
     case HANDLE_BOX:
-        return move_box(&scene->opaque[part.index], text, part, handle, place, step);
+        return move_box(scene, text, part, handle, place, step);
+    case HANDLE_RADII:
+        radii_to(&scene->media[part.index], handle, place, step, vector);
+        return scene_edit_set_vector(text, part, handle->key, vector);
     case HANDLE_MIN:
     case HANDLE_MAX:
-        corner_at(&scene->opaque[part.index], handle->kind, place, step, vector);
+        corner_at(scene, part, handle->kind, place, step, vector);
         return scene_edit_set_vector(text, part, handle->key, vector);
     }
     round_vector(place, step, vector);

@@ -11,6 +11,7 @@ typedef enum handle_kind {
     HANDLE_ELEMENT,   /* a position of a list */
     HANDLE_DIRECTION, /* the end of an arrow that is as long in the picture as others, since directions have no length */
     HANDLE_RADIUS,    /* the end of one */
+    HANDLE_RADII,     /* the end of one of an ellipsoid's */
     HANDLE_BOX,       /* its middle, which moves all of it */
     HANDLE_MIN,       /* a corner of a box */
     HANDLE_MAX,
@@ -19,7 +20,7 @@ typedef enum handle_kind {
 typedef struct part_handle {
     handle_kind kind;
     const char *key; /* of the member that it changes; of a box's middle, of one of two */
-    size_t element;  /* of that list */
+    size_t element;  /* of that list, or of the radii */
     double position[3];
     double from[3]; /* where the arrow or the radius begins */
 } part_handle;

@@ -36,20 +36,30 @@ static void line_shape(const shape_taker *taker, const ew_line *line)
     }
 }
 
-/* A regular polygon of so many corners in the circle. */
-static void circle_shape(const shape_taker *taker, const double center[3], const double direction[3], double radius, int count)
+/* A polygon of so many corners in the ellipse with the conjugate half axes u and v. */
+static void ellipse_shape(const shape_taker *taker, const double center[3], const double u[3], const double v[3], int count)
 {
-    double axis[3], u[3], v[3], a[3], b[3];
-    vector_normalize(direction, axis);
-    vector_across(axis, u, v);
-    vector_add_scaled(center, radius, u, a);
+    double a[3], b[3];
+    vector_add_scaled(center, 1, u, a);
     for (int i = 1; i <= count; i++) {
         double angle = 2 * M_PI * i / count;
-        vector_add_scaled(center, radius * cos(angle), u, b);
-        vector_add_scaled(b, radius * sin(angle), v, b);
+        vector_add_scaled(center, cos(angle), u, b);
+        vector_add_scaled(b, sin(angle), v, b);
         taker->take(taker->user, a, b);
         vector_copy(b, a);
     }
+}
+
+static void circle_shape(const shape_taker *taker, const double center[3], const double direction[3], double radius, int count)
+{
+    double axis[3], u[3], v[3];
+    vector_normalize(direction, axis);
+    vector_across(axis, u, v);
+    for (int i = 0; i < 3; i++) {
+        u[i] *= radius;
+        v[i] *= radius;
+    }
+    ellipse_shape(taker, center, u, v, count);
 }
 
 static void curve_shape(const shape_taker *taker, const ew_curve *curve)
@@ -154,25 +164,35 @@ static void path_shape(const shape_taker *taker, const ew_path *path)
     }
 }
 
-/* ---- Opaque shapes ------------------------------------------------------------------------------------------------------- */
+/* ---- Opaque shapes and media --------------------------------------------------------------------------------------------- */
 
-/* The corner with this number has the largest coordinate on the axes whose bits are set in it. */
-static void box_corner(const double min[3], const double max[3], int number, double result[3])
+/* The corner with this number is at the positive ends of the half axes whose bits are set in it. */
+static void box_corner(const double center[3], const double (*half_axes)[3], int number, double result[3])
 {
+    vector_copy(center, result);
     for (int axis = 0; axis < 3; axis++)
-        result[axis] = number >> axis & 1 ? max[axis] : min[axis];
+        vector_add_scaled(result, number >> axis & 1 ? 1 : -1, half_axes[axis], result);
 }
 
-static void box_shape(const shape_taker *taker, const double min[3], const double max[3])
+static void box_shape(const shape_taker *taker, const double center[3], const double (*half_axes)[3])
 {
     double a[3], b[3];
     for (int number = 0; number < 8; number++)
         for (int axis = 0; axis < 3; axis++) {
             if (number >> axis & 1) continue;
-            box_corner(min, max, number, a);
-            box_corner(min, max, number | 1 << axis, b);
+            box_corner(center, half_axes, number, a);
+            box_corner(center, half_axes, number | 1 << axis, b);
             taker->take(taker->user, a, b);
         }
+}
+
+static void block_shape(const shape_taker *taker, const double min[3], const double max[3])
+{
+    double center[3], half_axes[3][3] = {{0}};
+    mix(min, max, 0.5, center);
+    for (int i = 0; i < 3; i++)
+        half_axes[i][i] = 0.5 * (max[i] - min[i]);
+    box_shape(taker, center, (const double(*)[3])half_axes);
 }
 
 static void sphere_shape(const shape_taker *taker, const double center[3], double radius)
@@ -193,7 +213,7 @@ static void opaque_outline(const shape_taker *taker, const scene_camera *camera,
 {
     switch (opaque->kind) {
     case OPAQUE_BOX:
-        box_shape(taker, opaque->shape.box.min, opaque->shape.box.max);
+        block_shape(taker, opaque->shape.box.min, opaque->shape.box.max);
         break;
     case OPAQUE_PLANE:
         plane_shape(taker, camera, opaque->shape.plane.point, opaque->shape.plane.normal);
@@ -202,6 +222,17 @@ static void opaque_outline(const shape_taker *taker, const scene_camera *camera,
         sphere_shape(taker, opaque->shape.sphere.center, opaque->shape.sphere.radius);
         break;
     }
+}
+
+/* A box's edges, or an ellipsoid's ellipses through each two of its axes. */
+static void medium_outline(const shape_taker *taker, const ew_medium *medium)
+{
+    if (medium->shape == EW_MEDIUM_BOX) {
+        box_shape(taker, medium->center, medium->half_axes);
+        return;
+    }
+    for (int i = 0; i < 3; i++)
+        ellipse_shape(taker, medium->center, medium->half_axes[i], medium->half_axes[(i + 1) % 3], PIECES_OF_CIRCLE);
 }
 
 void part_shape(const demo_scene *scene, scene_part part, part_piece *take, void *user)
@@ -228,6 +259,9 @@ void part_shape(const demo_scene *scene, scene_part part, part_piece *take, void
         break;
     case PART_OPAQUE:
         opaque_outline(&taker, &scene->camera, &scene->opaque[part.index]);
+        break;
+    case PART_MEDIUM:
+        medium_outline(&taker, &scene->media[part.index]);
         break;
     }
 }

@@ -21,10 +21,10 @@ bool render_create_target(const gl_functions *gl, const render_settings *setting
     target->opaque_framebuffer = texture_framebuffer(gl, target->color, target->depth, &complete);
     target->effect_framebuffer = texture_framebuffer(gl, target->color, 0, &complete);
     target->luminance_framebuffer = texture_framebuffer(gl, target->luminance, 0, &complete);
-    if (complete && gl->GetError() == GL_NO_ERROR) return true;
+    const GLenum error = gl->GetError();
+    if (complete && error == GL_NO_ERROR) return true;
     render_destroy_target(gl, target);
-    message_write(message, size, "--size: GL cannot make a float target of %d x %d; ask for a smaller one", settings->width,
-                  settings->height);
+    texture_write_refusal(error, settings->width, settings->height, message, size);
     return false;
 }
 

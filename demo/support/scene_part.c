@@ -4,8 +4,8 @@
 const char *scene_part_list(part_kind kind)
 {
     static const char *const lists[PART_KIND_COUNT] = {
-        [PART_POINT] = "points", [PART_LINE] = "lines", [PART_TORUS] = "tori",
-        [PART_CURVE] = "curves", [PART_PATH] = "paths", [PART_OPAQUE] = "opaque"};
+        [PART_POINT] = "points", [PART_LINE] = "lines",    [PART_TORUS] = "tori",  [PART_CURVE] = "curves",
+        [PART_PATH] = "paths",   [PART_OPAQUE] = "opaque", [PART_MEDIUM] = "media"};
     return lists[kind];
 }
 
@@ -14,7 +14,8 @@ size_t scene_part_count(const demo_scene *scene, part_kind kind)
     const ew_sources_desc *sources = &scene->sources;
     const size_t counts[PART_KIND_COUNT] = {
         [PART_POINT] = sources->point_count, [PART_LINE] = sources->line_count, [PART_TORUS] = sources->torus_count,
-        [PART_CURVE] = sources->curve_count, [PART_PATH] = sources->path_count, [PART_OPAQUE] = scene->opaque_count};
+        [PART_CURVE] = sources->curve_count, [PART_PATH] = sources->path_count, [PART_OPAQUE] = scene->opaque_count,
+        [PART_MEDIUM] = scene->medium_count};
     return counts[kind];
 }
 
@@ -65,7 +66,8 @@ source_light scene_part_light(const demo_scene *scene, scene_part part)
     case PART_PATH:
         return SOURCE_LIGHT(&sources->paths[part.index]);
     case PART_OPAQUE:
+    case PART_MEDIUM:
         break;
     }
-    return (source_light){.color = scene->opaque[part.index].color};
+    return (source_light){0};
 }

@@ -1,5 +1,5 @@
 /*
- * One part of a scene, out of the lists of all kinds: a source or an opaque shape.
+ * One part of a scene, out of the lists of all kinds: a source, an opaque shape or a medium.
  */
 #ifndef SCENE_PART_H
 #define SCENE_PART_H
@@ -9,9 +9,14 @@
 
 #include <stdbool.h>
 
-/* In the order of the scene file's lists. */
-typedef enum part_kind { PART_POINT, PART_LINE, PART_TORUS, PART_CURVE, PART_PATH, PART_OPAQUE } part_kind;
-enum { PART_KIND_COUNT = PART_OPAQUE + 1 };
+/* First those of sources, in the order of the scene file's lists. */
+typedef enum part_kind { PART_POINT, PART_LINE, PART_TORUS, PART_CURVE, PART_PATH, PART_OPAQUE, PART_MEDIUM } part_kind;
+enum { PART_KIND_COUNT = PART_MEDIUM + 1 };
+
+static inline bool part_is_source(part_kind kind)
+{
+    return kind < PART_OPAQUE;
+}
 
 typedef struct scene_part {
     part_kind kind;

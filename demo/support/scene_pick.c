@@ -61,6 +61,39 @@ static double nearest_wall(const demo_scene *scene, const camera_ray *ray, size_
     return nearest;
 }
 
+/* ---- Media --------------------------------------------------------------------------------------------------------------- */
+
+/* The ray in the space in which the medium is the unit cube or the unit ball. */
+static camera_ray ray_in_body(const camera_ray *ray, const ew_medium *medium)
+{
+    camera_ray result;
+    double from[3], across[3];
+    vector_subtract(ray->origin, medium->center, from);
+    for (int i = 0; i < 3; i++) {
+        vector_cross(medium->half_axes[(i + 1) % 3], medium->half_axes[(i + 2) % 3], across);
+        double volume = vector_dot(medium->half_axes[i], across);
+        result.origin[i] = vector_dot(from, across) / volume;
+        result.direction[i] = vector_dot(ray->direction, across) / volume;
+    }
+    return result;
+}
+
+/* Like nearest_wall, of media that dim something. */
+static double nearest_medium(const demo_scene *scene, const camera_ray *ray, size_t *index)
+{
+    double nearest = HUGE_VAL;
+    for (size_t i = 0; i < scene->medium_count; i++) {
+        const ew_medium *medium = &scene->media[i];
+        const camera_ray inside = ray_in_body(ray, medium);
+        double depth = medium->shape == EW_MEDIUM_BOX ? meets_box(&inside, (double[]){-1, -1, -1}, (double[]){1, 1, 1})
+                                                      : meets_sphere(&inside, (double[]){0, 0, 0}, 1);
+        if (!(depth < nearest) || medium->extinction == 0) continue;
+        nearest = depth;
+        *index = i;
+    }
+    return nearest;
+}
+
 /* ---- Sources ------------------------------------------------------------------------------------------------------------- */
 
 /* The search along one source. */
@@ -112,11 +145,11 @@ static double light_at(source_light light, double epsilon, double distance)
 
 bool scene_pick(const demo_scene *scene, const camera_ray *ray, double width, scene_part *found)
 {
-    size_t index = 0;
-    double wall = nearest_wall(scene, ray, &index), most = least_light;
-    bool is_found = wall < scene->camera.far_depth;
-    if (is_found) *found = (scene_part){PART_OPAQUE, index};
-    for (int kind = 0; kind < PART_OPAQUE; kind++)
+    size_t wall_index = 0, medium_index = 0;
+    double wall = nearest_wall(scene, ray, &wall_index), medium = nearest_medium(scene, ray, &medium_index), most = least_light;
+    bool is_found = fmin(wall, medium) < scene->camera.far_depth;
+    if (is_found) *found = wall <= medium ? (scene_part){PART_OPAQUE, wall_index} : (scene_part){PART_MEDIUM, medium_index};
+    for (int kind = 0; part_is_source((part_kind)kind); kind++)
         for (size_t i = 0; i < scene_part_count(scene, (part_kind)kind); i++) {
             scene_part part = {(part_kind)kind, i};
             source_light light = scene_part_light(scene, part);

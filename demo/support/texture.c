@@ -1,5 +1,6 @@
 /* Textures that are drawn into: see texture.h. */
 #include "texture.h"
+#include "message.h"
 
 GLuint texture_create(const gl_functions *gl, int width, int height, GLint internal_format, GLenum format)
 {
@@ -25,6 +26,15 @@ GLuint texture_framebuffer(const gl_functions *gl, GLuint color, GLuint depth, b
     *complete = *complete && gl->CheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
     gl->BindFramebuffer(GL_FRAMEBUFFER, 0);
     return framebuffer;
+}
+
+void texture_write_refusal(GLenum error, int width, int height, char *message, size_t size)
+{
+    if (error == GL_NO_ERROR)
+        message_write(message, size,
+                      "this GL does not draw to textures of floats; a browser needs EXT_color_buffer_float for that");
+    else
+        message_write(message, size, "--size: GL cannot make targets of %d x %d; ask for a smaller one", width, height);
 }
 
 void texture_clear(const gl_functions *gl, GLuint framebuffer)

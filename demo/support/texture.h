@@ -6,12 +6,17 @@
 
 #include "gl_functions.h"
 
+#include <stddef.h>
+
 /* Creates a texture without mipmaps that is sampled at its nearest texel. */
 GLuint texture_create(const gl_functions *gl, int width, int height, GLint internal_format, GLenum format);
 
 /* Creates a framebuffer of `color` and, unless it is 0, `depth`. Sets *complete to false if it cannot be drawn to; leaves it
  * alone otherwise. */
 GLuint texture_framebuffer(const gl_functions *gl, GLuint color, GLuint depth, bool *complete);
+
+/* Says why GL has made no textures of floats that can be drawn to, from the error that it recorded, if any. */
+void texture_write_refusal(GLenum error, int width, int height, char *message, size_t size);
 
 /* The two functions below leave no framebuffer bound. */
 

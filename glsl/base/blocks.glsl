@@ -46,7 +46,7 @@ uniform highp sampler2D ew_source_texture;
 #endif
 
 // Unit i of the sources.
-vec4 ew_source_unit(int i)
+vec4 ew_source_unit(const int i)
 {
 #ifdef EW_SOURCE_TEXTURE
     return texelFetch(ew_source_texture, ivec2(i % EW_TEXTURE_WIDTH, i / EW_TEXTURE_WIDTH), 0);
@@ -97,7 +97,7 @@ float ew_span()
 }
 
 // The s at which a ray ends that the opaque scene ends at `share` of the depths of ew_frame_block.
-float ew_end_of_ray(float share)
+float ew_end_of_ray(const float share)
 {
 #ifdef EW_WORLD
     return share > 0.0 ? mix(ew_frame.depth_scale.w, ew_span(), share) : 0.0;
@@ -113,7 +113,7 @@ int ew_simpson_divisions()
 
 // A member of source i. The first source has it at `start`, and each takes `size` vec4. There are varyings for the only source of a
 // kind, at places that are constant: rasterisers that keep arrays in memory gather from others.
-vec4 ew_source(int start, int size, int i)
+vec4 ew_source(const int start, const int size, const int i)
 {
 #ifdef EW_SOURCE_VARYINGS
     return ew_sources[start];

@@ -131,6 +131,8 @@ struct ew_bent_block {
     vec4 axis_y; // w: slope_y
     vec4 axis_z; // w: bend >= 0
     vec4 domain; // x: first, y: last, zw: t at both
+    vec4 ball;   // a ball around the piece: its centre, w: its radius
+    vec4 along;  // of a cylinder around the piece, whose axis goes through the ball's centre: its direction, w: its radius
 };
 
 // One polynomial piece of S(t), equation (15): x + y f + z f^2 with f in [0, 1] along the piece.

@@ -4,7 +4,8 @@
 
 const int EW_GLOSS_CHORDS = 10;
 
-float ew_gloss_of_arm(ew_surface surface, ew_gloss gloss, ew_emitter emitter, vec2 part, float peak, float core)
+float ew_gloss_of_arm(const ew_surface surface, const ew_gloss gloss, const ew_emitter emitter, const vec2 part, const float peak,
+                      const float core)
 {
     float speed = length(emitter.c1 + 2.0 * peak * emitter.c2);
     float width = max(length(ew_emitter_place(emitter, peak)) / max(speed, 1e-30), 0.15 * (part.y - part.x));
@@ -23,7 +24,8 @@ float ew_gloss_of_arm(ew_surface surface, ew_gloss gloss, ew_emitter emitter, ve
     return sum;
 }
 
-float ew_gloss_of_bend(ew_surface surface, ew_gloss gloss, ew_curve_block block, vec2 weight_places, vec2 pieces)
+float ew_gloss_of_bend(const ew_surface surface, const ew_gloss gloss, const ew_curve_block block, const vec2 weight_places,
+                       const vec2 pieces)
 {
     ew_polynomial_curve curve = ew_make_polynomial_curve(block);
     float core = ew_light_core(block.glow);

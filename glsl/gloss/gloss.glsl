@@ -12,14 +12,15 @@ struct ew_gloss {
 };
 
 // The lobe at the cosine of an angle from its axis.
-float ew_lobe(ew_gloss gloss, float cosine)
+float ew_lobe(const ew_gloss gloss, const float cosine)
 {
     return (gloss.exponent + 1.0) * 0.159154943 * exp2(gloss.exponent * log2(max(cosine, 1e-6)));
 }
 
 // Of a straight piece, relative to the surface. `weights`: where its ends are in the list of weights, the first weight piece, and how
 // many there are.
-float ew_gloss_of_segment(ew_surface surface, ew_gloss gloss, vec3 from, vec3 to, float core, vec4 weights)
+float ew_gloss_of_segment(const ew_surface surface, const ew_gloss gloss, const vec3 from, const vec3 to, const float core,
+                          const vec4 weights)
 {
     const float half_pi = 1.57079632679;
     vec3 way = to - from;

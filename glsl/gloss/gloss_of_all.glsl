@@ -4,7 +4,7 @@
 #define EW_SHINE(block, read) block source = read(EW_PLACE(i)); sum += ew_shine(source.color, ew_gloss_of(surface, gloss, source)); ++i;
 
 // G of gloss.glsl, as a colour.
-vec3 ew_gloss_of_all(ew_surface surface, ew_gloss gloss)
+vec3 ew_gloss_of_all(const ew_surface surface, const ew_gloss gloss)
 {
     vec3 sum = vec3(0.0);
     EW_ADD_KINDS

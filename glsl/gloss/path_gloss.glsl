@@ -1,5 +1,6 @@
 // What is mirrored of a path: of its pieces.
-float ew_gloss_of_straight_piece(ew_surface surface, ew_gloss gloss, ew_path_block path, vec4 start, vec4 end)
+float ew_gloss_of_straight_piece(const ew_surface surface, const ew_gloss gloss, const ew_path_block path, const vec4 start,
+                                 const vec4 end)
 {
     vec4 weights = vec4(start.w, end.w, path.weights.xy);
     return ew_gloss_of_segment(surface, gloss, start.xyz - surface.position, end.xyz - surface.position, ew_light_core(path.glow),
@@ -7,17 +8,17 @@ float ew_gloss_of_straight_piece(ew_surface surface, ew_gloss gloss, ew_path_blo
 }
 
 #ifdef EW_JOINTS
-float ew_gloss_of_piece(ew_surface surface, ew_gloss gloss, ew_path_block path, int i)
+float ew_gloss_of_piece(const ew_surface surface, const ew_gloss gloss, const ew_path_block path, const int i)
 {
 #ifdef EW_BENDS
     if (path.pieces.z != 0.0)
-        return ew_gloss_of_bend(surface, gloss, ew_bent_piece(path, i), ew_piece_unit(path, 5.0, i, 4).zw, path.weights.xy);
+        return ew_gloss_of_bend(surface, gloss, ew_bent_piece(path, i), ew_piece_unit(path, 7.0, i, 4).zw, path.weights.xy);
 #endif
     return ew_gloss_of_straight_piece(surface, gloss, path, ew_piece_unit(path, 2.0, i, 0), ew_piece_unit(path, 2.0, i, 1));
 }
 #endif
 
-float ew_gloss_of(ew_surface surface, ew_gloss gloss, ew_path_block path)
+float ew_gloss_of(const ew_surface surface, const ew_gloss gloss, const ew_path_block path)
 {
     if (length(path.ball.xyz - surface.position) >= path.ball.w + ew_light_reach()) return 0.0;
 #ifdef EW_JOINTS

@@ -1,5 +1,5 @@
 // What is mirrored of a point.
-float ew_gloss_of(ew_surface surface, ew_gloss gloss, ew_point_block point)
+float ew_gloss_of(const ew_surface surface, const ew_gloss gloss, const ew_point_block point)
 {
     vec3 offset = point.position.xyz - surface.position;
     float core = ew_light_core(point.glow);

@@ -1,6 +1,6 @@
 // What is mirrored of a circle: of its chords, which are shorter where the circle is near. They take even steps of theta as in
 // torus_irradiance.glsl, but with a ratio that is not so small that those on the far side get long.
-float ew_gloss_of(ew_surface surface, ew_gloss gloss, ew_torus_block torus)
+float ew_gloss_of(const ew_surface surface, const ew_gloss gloss, const ew_torus_block torus)
 {
     const int chords = 32;
     const float step = 3.14159265359 / float(chords);

@@ -17,12 +17,12 @@ struct ew_emitter {
     float vertex;
 };
 
-vec3 ew_emitter_place(ew_emitter emitter, float tau)
+vec3 ew_emitter_place(const ew_emitter emitter, const float tau)
 {
     return (emitter.c2 * tau + emitter.c1) * tau + emitter.c0;
 }
 
-float ew_emitter_weight(ew_emitter emitter, float tau)
+float ew_emitter_weight(const ew_emitter emitter, const float tau)
 {
 #ifdef EW_WEIGHTS
     if (emitter.pieces.y > 0.0)
@@ -32,7 +32,7 @@ float ew_emitter_weight(ew_emitter emitter, float tau)
 }
 
 // The next knot of the weights behind tau, or `last`. The place along the list grows with tau.
-float ew_emitter_knot(ew_emitter emitter, float tau, float last)
+float ew_emitter_knot(const ew_emitter emitter, const float tau, const float last)
 {
 #ifdef EW_WEIGHTS
     float per_tau = emitter.pieces.y * emitter.weight_place.y;
@@ -47,7 +47,7 @@ float ew_emitter_knot(ew_emitter emitter, float tau, float last)
 }
 
 // How much tau changes on a way along the emitter from the peak on. The way grows with its speed and, from a sharp vertex, with its bend.
-float ew_tau_of_way(ew_emitter emitter, float peak, float way)
+float ew_tau_of_way(const ew_emitter emitter, const float peak, const float way)
 {
     float speed = length(emitter.c1 + 2.0 * peak * emitter.c2);
     return 2.0 * way / max(speed + sqrt(speed * speed + 4.0 * way * length(emitter.c2)), 1e-30);
@@ -56,7 +56,7 @@ float ew_tau_of_way(ew_emitter emitter, float peak, float way)
 // The integral between two tau of one smooth part. tau = peak + width tan(theta) spreads the nodes evenly over the angle under
 // which a straight emitter would be seen, from a place in the core over that from the core's edge: what is nearer is no part of this
 // kind.
-float ew_light_of_part(ew_surface surface, ew_emitter emitter, vec2 part, float core)
+float ew_light_of_part(const ew_surface surface, const ew_emitter emitter, const vec2 part, const float core)
 {
     float middle = 0.5 * (part.x + part.y);
     float peak = clamp(middle < emitter.vertex ? emitter.peaks.x : emitter.peaks.y, part.x, part.y);
@@ -83,7 +83,7 @@ float ew_light_of_part(ew_surface surface, ew_emitter emitter, vec2 part, float 
 }
 
 // The integral over a part in whose core the surface is, as straight ones.
-float ew_light_of_near_part(ew_surface surface, ew_emitter emitter, vec2 part, float core)
+float ew_light_of_near_part(const ew_surface surface, const ew_emitter emitter, const vec2 part, const float core)
 {
     float sum = 0.0;
     float half_step = 0.5 * (part.y - part.x) / float(EW_NEAR_CHORDS);
@@ -100,14 +100,14 @@ float ew_light_of_near_part(ew_surface surface, ew_emitter emitter, vec2 part, f
 }
 
 // How far from the peak the emitter leaves the core, if the surface is in it there; else 0.
-float ew_straight_width(ew_emitter emitter, float peak, float core)
+float ew_straight_width(const ew_emitter emitter, const float peak, const float core)
 {
     bool is_near = ew_length_squared(ew_emitter_place(emitter, peak)) < core * core;
     return is_near ? ew_tau_of_way(emitter, peak, core) : 0.0;
 }
 
 // The peak, where the surface is close to it for the core's size or for the emitter's length; else what is no place of the emitter.
-float ew_sharp_peak(ew_emitter emitter, float peak, float core)
+float ew_sharp_peak(const ew_emitter emitter, const float peak, const float core)
 {
     float nearest = length(ew_emitter_place(emitter, peak));
     bool is_sharp = nearest < 2.0 * core || ew_tau_of_way(emitter, peak, nearest) < 0.1 * (emitter.domain.y - emitter.domain.x);
@@ -116,7 +116,7 @@ float ew_sharp_peak(ew_emitter emitter, float peak, float core)
 
 // The tau nearest to the surface before the vertex and behind it. With C2 perpendicular to C1, the derivative of the squared distance
 // is a cubic without a square term; its least root and its largest are minima.
-void ew_find_peaks(inout ew_emitter emitter, bool has_vertex, float core)
+void ew_find_peaks(inout ew_emitter emitter, const bool has_vertex, const float core)
 {
     float cubic = 2.0 * ew_length_squared(emitter.c2);
     float quadratic = 3.0 * dot(emitter.c1, emitter.c2);
@@ -141,7 +141,7 @@ void ew_find_peaks(inout ew_emitter emitter, bool has_vertex, float core)
 }
 
 // Where the emitter passes through the surface's horizon: the roots of n . (C - P), or `none` twice.
-vec2 ew_find_horizon(ew_surface surface, ew_emitter emitter, float none)
+vec2 ew_find_horizon(const ew_surface surface, const ew_emitter emitter, const float none)
 {
     float a = dot(surface.normal, emitter.c2);
     float b = dot(surface.normal, emitter.c1);
@@ -153,7 +153,7 @@ vec2 ew_find_horizon(ew_surface surface, ew_emitter emitter, float none)
 }
 
 // The first of the places, from tau on, where the integrand is not smooth.
-float ew_next_break(ew_emitter emitter, vec2 horizon, float tau)
+float ew_next_break(const ew_emitter emitter, const vec2 horizon, const float tau)
 {
     float next = ew_emitter_knot(emitter, tau, emitter.domain.y);
     vec4 near = vec4(emitter.peaks - emitter.widths, emitter.peaks + emitter.widths);
@@ -170,7 +170,7 @@ float ew_next_break(ew_emitter emitter, vec2 horizon, float tau)
 // ends.
 const int EW_MAX_EMITTER_PARTS = 1024 + 10;
 
-float ew_light_of_emitter(ew_surface surface, ew_emitter emitter, bool has_vertex, float core)
+float ew_light_of_emitter(const ew_surface surface, ew_emitter emitter, const bool has_vertex, const float core)
 {
     ew_find_peaks(emitter, has_vertex, core);
     float last = emitter.domain.y;
@@ -192,7 +192,7 @@ float ew_light_of_emitter(ew_surface surface, ew_emitter emitter, bool has_verte
 
 // The emitter that a curve's block is, or a bent piece of a path. `weight_places`: where its ends are in the list of
 // weights.
-float ew_light_of_bend(ew_surface surface, ew_curve_block block, vec2 weight_places, vec2 pieces)
+float ew_light_of_bend(const ew_surface surface, const ew_curve_block block, const vec2 weight_places, const vec2 pieces)
 {
     ew_polynomial_curve curve = ew_make_polynomial_curve(block);
     float slope = weight_places.y - weight_places.x;

@@ -39,13 +39,13 @@ float ew_shadow_thickness()
 #endif
 
 // r. Where it is hardly a number beside the unit of ray space, its square would be 0.
-float ew_light_core(vec4 glow)
+float ew_light_core(const vec4 glow)
 {
     return max(glow.x, 1e-8);
 }
 
 // k(d), from d^2.
-float ew_light_falloff(float distance_squared, float core)
+float ew_light_falloff(const float distance_squared, const float core)
 {
     float reach2 = ew_square(ew_light_reach());
     float least = max(distance_squared, core * core);
@@ -53,7 +53,7 @@ float ew_light_falloff(float distance_squared, float core)
 }
 
 // max(0, n . l) k(d) for the place at `offset` from the surface.
-float ew_light_at(ew_surface surface, vec3 offset, float core)
+float ew_light_at(const ew_surface surface, const vec3 offset, const float core)
 {
     float distance_squared = ew_length_squared(offset);
     return max(dot(surface.normal, offset), 0.0) * inversesqrt(max(distance_squared, 1e-30)) * ew_light_falloff(distance_squared, core);
@@ -68,7 +68,7 @@ float ew_pick_sum = 0.0;        // of all parts so far
 vec3 ew_picked[EW_PICK_COUNT];  // relative to the surface
 
 // How far into a part of that much light each place lies, as a share of the light; beyond [0, 1) if in none of it.
-vec4 ew_shares_in_part(float light)
+vec4 ew_shares_in_part(const float light)
 {
     vec4 shares = (ew_pick_sums - ew_pick_sum) / max(light, 1e-30);
     ew_pick_sum += light;
@@ -76,7 +76,7 @@ vec4 ew_shares_in_part(float light)
 }
 
 // Picks from a straight part, whose light is about even over the angle under which it is seen.
-void ew_pick_between(float light, vec3 start, vec3 end)
+void ew_pick_between(const float light, const vec3 start, const vec3 end)
 {
     vec4 shares = ew_shares_in_part(light);
     vec3 way = end - start;
@@ -91,7 +91,7 @@ void ew_pick_between(float light, vec3 start, vec3 end)
 }
 
 // Picks from a part that is small beside its distance, whose light is about even along it.
-void ew_pick_along(float light, vec3 start, vec3 way)
+void ew_pick_along(const float light, const vec3 start, const vec3 way)
 {
     vec4 shares = ew_shares_in_part(light);
     for (int i = 0; i < EW_PICK_COUNT; ++i)

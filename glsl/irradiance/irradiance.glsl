@@ -14,9 +14,9 @@ float ew_pick_offset = 0.5;
 vec3 ew_unshaded = vec3(0.0);
 
 // The share of the picked places from which light gets to the surface: see shadow.glsl.
-float ew_visible_share(ew_surface surface, float core);
+float ew_visible_share(const ew_surface surface, const float core);
 
-void ew_start_picking(float light)
+void ew_start_picking(const float light)
 {
     for (int i = 0; i < EW_PICK_COUNT; ++i)
         ew_pick_sums[i] = light * (float(i) + ew_pick_offset) / float(EW_PICK_COUNT);
@@ -41,13 +41,13 @@ void ew_start_picking(float light)
 #define EW_ADD_KIND(block, read, kind, count) EW_EACH(kind, count, if (i < end) { do { EW_SHINE(block, read) } while (i < end); })
 
 // `color` is a source's: its w is the coefficient.
-vec3 ew_shine(vec4 color, float irradiance)
+vec3 ew_shine(const vec4 color, const float irradiance)
 {
     return clamp(color.w * irradiance, 0.0, EW_MAX_IRRADIANCE) * color.rgb;
 }
 
 // E(P) of emitter.glsl, as a colour. Error 1e-2 of the largest of the picture, but for rare places: see docs/method.md.
-vec3 ew_irradiance_of_all(ew_surface surface)
+vec3 ew_irradiance_of_all(const ew_surface surface)
 {
     vec3 sum = vec3(0.0);
     EW_ADD_KINDS

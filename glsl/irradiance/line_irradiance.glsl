@@ -1,5 +1,5 @@
 // The light of an infinite line: of the part of it within the light's reach.
-float ew_irradiance_of(ew_surface surface, ew_line_block line)
+float ew_irradiance_of(const ew_surface surface, const ew_line_block line)
 {
     vec3 axis = line.direction.xyz;
     vec3 foot = line.position.xyz - surface.position;

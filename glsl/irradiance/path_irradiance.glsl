@@ -2,7 +2,7 @@
 // distance from the surface take two nodes of Gauss and Legendre, which then are off by less than a hundredth of the piece's light.
 // The others take what a single straight or bent emitter takes.
 
-float ew_light_of_straight_piece(ew_surface surface, ew_path_block path, vec4 start, vec4 end)
+float ew_light_of_straight_piece(const ew_surface surface, const ew_path_block path, const vec4 start, const vec4 end)
 {
     vec3 from = start.xyz - surface.position;
     vec3 to = end.xyz - surface.position;
@@ -28,16 +28,16 @@ struct ew_short_piece {
     vec2 weight_places; // of its ends
 };
 
-ew_short_piece ew_make_short_piece(ew_surface surface, ew_path_block path, int i)
+ew_short_piece ew_make_short_piece(const ew_surface surface, const ew_path_block path, const int i)
 {
 #ifdef EW_BENDS
-    if (path.pieces.z != 0.0) {
-        vec4 axis_x = ew_piece_unit(path, 5.0, i, 1);
-        vec4 axis_y = ew_piece_unit(path, 5.0, i, 2);
-        float bend = ew_piece_unit(path, 5.0, i, 3).w;
-        vec4 domain = ew_piece_unit(path, 5.0, i, 4);
+    if (EW_HAS_BENDS(path)) {
+        vec4 axis_x = ew_piece_unit(path, 7.0, i, 1);
+        vec4 axis_y = ew_piece_unit(path, 7.0, i, 2);
+        float bend = ew_piece_unit(path, 7.0, i, 3).w;
+        vec4 domain = ew_piece_unit(path, 7.0, i, 4);
         float tau = 0.5 * (domain.x + domain.y);
-        vec3 origin = ew_piece_unit(path, 5.0, i, 0).xyz - surface.position;
+        vec3 origin = ew_piece_unit(path, 7.0, i, 0).xyz - surface.position;
         return ew_short_piece(origin + tau * axis_x.w * axis_x.xyz + tau * (axis_y.w + tau * bend) * axis_y.xyz,
                               axis_x.w * axis_x.xyz + (axis_y.w + 2.0 * tau * bend) * axis_y.xyz, bend * axis_y.xyz, domain.zw);
     }
@@ -48,7 +48,7 @@ ew_short_piece ew_make_short_piece(ew_surface surface, ew_path_block path, int i
 }
 
 // Whether two nodes will do: not where the piece turns back, nor where its weights have a few polynomials.
-bool ew_is_far(ew_short_piece piece, ew_path_block path)
+bool ew_is_far(const ew_short_piece piece, const ew_path_block path)
 {
     float slope = length(piece.slope);
     float bend = length(piece.bend);
@@ -57,7 +57,7 @@ bool ew_is_far(ew_short_piece piece, ew_path_block path)
     return length(piece.middle) > max(3.0 * radius, radius + ew_light_core(path.glow)) && bend <= slope && knots <= 1.5;
 }
 
-float ew_light_of_far_piece(ew_surface surface, ew_path_block path, ew_short_piece piece, float core)
+float ew_light_of_far_piece(const ew_surface surface, const ew_path_block path, const ew_short_piece piece, const float core)
 {
     const float node = 0.2886751346;
     vec3 outward = node * piece.slope;
@@ -73,17 +73,17 @@ float ew_light_of_far_piece(ew_surface surface, ew_path_block path, ew_short_pie
     return light;
 }
 
-float ew_light_of_near_piece(ew_surface surface, ew_path_block path, int i)
+float ew_light_of_near_piece(const ew_surface surface, const ew_path_block path, const int i)
 {
 #ifdef EW_BENDS
-    if (path.pieces.z != 0.0)
-        return ew_light_of_bend(surface, ew_bent_piece(path, i), ew_piece_unit(path, 5.0, i, 4).zw, path.weights.xy);
+    if (EW_HAS_BENDS(path))
+        return ew_light_of_bend(surface, ew_bent_piece(path, i), ew_piece_unit(path, 7.0, i, 4).zw, path.weights.xy);
 #endif
     return ew_light_of_straight_piece(surface, path, ew_piece_unit(path, 2.0, i, 0), ew_piece_unit(path, 2.0, i, 1));
 }
 
 // Near pieces are looked for in a loop of their own: see EW_FIND in light.glsl.
-float ew_light_of_near_pieces(ew_surface surface, ew_path_block path, int first, int last)
+float ew_light_of_near_pieces(const ew_surface surface, const ew_path_block path, const int first, const int last)
 {
     float sum = 0.0;
     int i = first;
@@ -101,7 +101,7 @@ float ew_light_of_near_pieces(ew_surface surface, ew_path_block path, int first,
     return sum;
 }
 
-float ew_light_of_pieces(ew_surface surface, ew_path_block path, int count)
+float ew_light_of_pieces(const ew_surface surface, const ew_path_block path, const int count)
 {
     float core = ew_light_core(path.glow);
     float sum = 0.0;
@@ -122,11 +122,14 @@ float ew_light_of_pieces(ew_surface surface, ew_path_block path, int count)
 }
 #endif
 
-float ew_irradiance_of(ew_surface surface, ew_path_block path)
+float ew_irradiance_of(const ew_surface surface, const ew_path_block path)
 {
+#ifdef EW_PART
+    if (!ew_is_of_part(path)) return 0.0;
+#endif
     if (length(path.ball.xyz - surface.position) >= path.ball.w + ew_light_reach()) return 0.0;
 #ifdef EW_JOINTS
-    if (path.pieces.y > 0.0) return ew_light_of_pieces(surface, path, int(path.pieces.y));
+    if (EW_HAS_BENDS(path) || path.pieces.y > 0.0) return ew_light_of_pieces(surface, path, int(path.pieces.y));
 #endif
     vec4 start = vec4(path.ball.xyz - path.beam.xyz, 0.0);
     vec4 end = vec4(path.ball.xyz + path.beam.xyz, 1.0);

@@ -1,5 +1,5 @@
 // The light of a point, which is closed.
-float ew_irradiance_of(ew_surface surface, ew_point_block point)
+float ew_irradiance_of(const ew_surface surface, const ew_point_block point)
 {
     float core = ew_light_core(point.glow);
     vec3 offset = point.position.xyz - surface.position;

@@ -7,7 +7,7 @@
 
 // The integrals of d^k and t d^k from t.x to t.y, outside of the core: there t has one sign unless the whole emitter is outside.
 // Differences of squares are written as products, since they would cancel.
-float ew_light_outside(vec2 t, float h2, float a, float b)
+float ew_light_outside(const vec2 t, const float h2, const float a, const float b)
 {
     vec2 d = sqrt(h2 + t * t);
     float difference = (t.y - t.x) * (t.y + t.x);
@@ -27,7 +27,7 @@ float ew_light_outside(vec2 t, float h2, float a, float b)
 }
 
 // The same in the core, but for k(r).
-float ew_light_inside(vec2 t, float h2, float a, float b)
+float ew_light_inside(const vec2 t, const float h2, const float a, const float b)
 {
     vec2 d = sqrt(h2 + t * t);
     vec2 reach = abs(t) + d;
@@ -36,7 +36,7 @@ float ew_light_inside(vec2 t, float h2, float a, float b)
 }
 
 // The part of an interval on which a + b t > 0, if there is any.
-vec2 ew_above_horizon(float a, float b, vec2 t)
+vec2 ew_above_horizon(const float a, const float b, const vec2 t)
 {
     vec2 above = a + b * t;
     float horizon = mix(t.x, t.y, clamp(above.x / mix(above.x - above.y, 1.0, above.x == above.y), 0.0, 1.0));
@@ -45,7 +45,7 @@ vec2 ew_above_horizon(float a, float b, vec2 t)
 
 // The integral over the emitter from t.x to t.y along the unit vector `axis`; `foot` leads from the surface to t = 0, perpendicular to
 // the axis. Relative error some 1e-5 where the emitter is above the surface's horizon, which cuts it.
-float ew_light_of_straight(ew_surface surface, vec3 foot, vec3 axis, vec2 t, float core)
+float ew_light_of_straight(const ew_surface surface, const vec3 foot, const vec3 axis, vec2 t, const float core)
 {
     float a = dot(surface.normal, foot);
     float b = dot(surface.normal, axis);
@@ -71,7 +71,7 @@ float ew_light_of_straight(ew_surface surface, vec3 foot, vec3 axis, vec2 t, flo
 }
 
 // From `start` to `end`, relative to the surface.
-float ew_light_of_segment(ew_surface surface, vec3 start, vec3 end, float core)
+float ew_light_of_segment(const ew_surface surface, const vec3 start, const vec3 end, const float core)
 {
     vec3 way = end - start;
     float way_length = length(way);
@@ -85,7 +85,7 @@ const int EW_NEAR_CHORDS = 6;
 
 // A short piece of a bent emitter, as a straight one as far away on the average: a parabola is two thirds of the way from its chord to its
 // middle.
-float ew_light_of_nearly_straight(ew_surface surface, vec3 start, vec3 middle, vec3 end, float core)
+float ew_light_of_nearly_straight(const ew_surface surface, const vec3 start, const vec3 middle, const vec3 end, const float core)
 {
     vec3 shift = (middle - 0.5 * (start + end)) * (2.0 / 3.0);
     return ew_light_of_segment(surface, start + shift, end + shift, core);

@@ -16,7 +16,7 @@ struct ew_circle {
     vec2 distances; // h and g
 };
 
-ew_circle ew_circle_around(ew_surface surface, ew_torus_block torus)
+ew_circle ew_circle_around(const ew_surface surface, const ew_torus_block torus)
 {
     vec3 axis = torus.axis.xyz;
     float radius = ew_radius(torus);
@@ -31,19 +31,19 @@ ew_circle ew_circle_around(ew_surface surface, ew_torus_block torus)
 }
 
 // From the circle's cos(phi) and sin(phi).
-vec3 ew_circle_place(ew_circle circle, vec2 turned)
+vec3 ew_circle_place(const ew_circle circle, const vec2 turned)
 {
     return circle.center + circle.radius * (turned.x * circle.right + turned.y * circle.up);
 }
 
 // From t = tan(phi / 2).
-vec3 ew_circle_place_at(ew_circle circle, float t)
+vec3 ew_circle_place_at(const ew_circle circle, const float t)
 {
     return ew_circle_place(circle, vec2((1.0 - t) * (1.0 + t), 2.0 * t) / (1.0 + t * t));
 }
 
 // The light of a part next to the nearest place, where the surface is in the core: as straight ones.
-float ew_light_of_near_arc(ew_surface surface, ew_circle circle, vec2 part, float core)
+float ew_light_of_near_arc(const ew_surface surface, const ew_circle circle, const vec2 part, const float core)
 {
     float sum = 0.0;
     float half_step = 0.5 * (part.y - part.x) / float(EW_NEAR_CHORDS);
@@ -59,7 +59,7 @@ float ew_light_of_near_arc(ew_surface surface, ew_circle circle, vec2 part, floa
 }
 
 // cos and sin of phi at theta. tan(phi / 2) is `ratio` times tan(theta). Also returns the phi that a radian of theta takes.
-vec3 ew_turn_circle(float ratio, float theta)
+vec3 ew_turn_circle(const float ratio, const float theta)
 {
     float c = cos(theta);
     float s = ratio * sin(theta);
@@ -68,7 +68,7 @@ vec3 ew_turn_circle(float ratio, float theta)
 
 // The same of a part on one side of the nearest place. Next to that, where the surface is in the core, is no part of this kind, and the
 // core is what 1 / d is smooth over.
-float ew_light_of_arc(ew_surface surface, ew_circle circle, vec2 part, float core)
+float ew_light_of_arc(const ew_surface surface, const ew_circle circle, const vec2 part, const float core)
 {
     float ratio = clamp(max(circle.distances.x, core) / max(circle.distances.y, 1e-30), 1e-6, 1.0);
     vec2 angles = atan(part / ratio);
@@ -97,7 +97,7 @@ const float EW_FARTHEST_TURN = 1e6;
 //     n . (C - P) (1 + t^2) = away t^2 + 2 slope t + here
 //
 // which keeps the digits next to the nearest place. Those of an acos, or of Mesa's atan, would not tell where in a thin core that is.
-vec2 ew_find_risen_arc(ew_surface surface, ew_circle circle)
+vec2 ew_find_risen_arc(const ew_surface surface, const ew_circle circle)
 {
     vec3 outward = circle.radius * circle.right;
     float here = dot(surface.normal, circle.center + outward);
@@ -113,7 +113,7 @@ vec2 ew_find_risen_arc(ew_surface surface, ew_circle circle)
     return vec2(arc.x >= EW_FARTHEST_TURN ? -EW_FARTHEST_TURN : arc.x, arc.y <= -EW_FARTHEST_TURN ? EW_FARTHEST_TURN : arc.y);
 }
 
-float ew_irradiance_of(ew_surface surface, ew_torus_block torus)
+float ew_irradiance_of(const ew_surface surface, const ew_torus_block torus)
 {
     ew_circle circle = ew_circle_around(surface, torus);
     if (circle.distances.x >= ew_light_reach()) return 0.0;

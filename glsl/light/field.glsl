@@ -5,7 +5,7 @@
 // The field where the segment ends, times the coefficient and the sharpness, which bounds how much steeper sharpened light is; or
 // EW_UNRESOLVED, where the source may shine within a cell of the ray and its reach is less than a cell's diagonal: a wider one is seen
 // by some node at a good part of its light.
-float ew_field_of(ew_segment segment, EW_SOURCE source)
+float ew_field_of(const ew_segment segment, const EW_SOURCE source)
 {
 #ifdef EW_REACH
     if (source.glow.y > 0.0) {

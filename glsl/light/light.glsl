@@ -5,7 +5,7 @@ const float EW_MAX_LUMINANCE = 1e30;
 
 #ifdef EW_SHARPNESS
 // b g(B / b) with g(x) = x^sharpness for x <= 1 and its straight continuation, 1 + sharpness (x - 1), beyond.
-float ew_sharpen(float luminance, float brightness, float sharpness)
+float ew_sharpen(const float luminance, const float brightness, const float sharpness)
 {
     float x = luminance / brightness;
     return brightness * mix(1.0 + sharpness * (x - 1.0), pow(x, sharpness), x <= 1.0);
@@ -13,7 +13,7 @@ float ew_sharpen(float luminance, float brightness, float sharpness)
 #endif
 
 // Adds the light of one source to the sum. `color` and `glow` are its block's: color.w is its coefficient.
-void ew_add(float integral, vec4 color, vec4 glow, inout vec4 sum)
+void ew_add(const float integral, const vec4 color, const vec4 glow, inout vec4 sum)
 {
     float luminance = clamp(color.w * integral, 0.0, EW_MAX_LUMINANCE);
 #ifdef EW_SHARPNESS
@@ -24,7 +24,7 @@ void ew_add(float integral, vec4 color, vec4 glow, inout vec4 sum)
 
 // What the other sources that came before add to an integral, in its unit: over the coefficient, which may be 0. It is so
 // bounded that the quotient is finite.
-float ew_others(vec4 sum, vec4 color)
+float ew_others(const vec4 sum, const vec4 color)
 {
     return min(sum.a, 1e6) / max(color.w, 1e-30);
 }

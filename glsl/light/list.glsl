@@ -1,7 +1,7 @@
 // Lists of the sources that may light a tile of the viewport: src/plan/tile_lists.h says how they are laid out.
 
 #ifdef EW_SOURCE_TEXTURE
-int ew_list_entry(int i)
+int ew_list_entry(const int i)
 {
     return int(ew_source_unit(int(ew_grid.tolerance.z) + (i >> 2))[i & 3]);
 }
@@ -12,7 +12,7 @@ layout(std140) uniform ew_lists
     uvec4 ew_list_words[EW_LIST_SIZE];
 };
 
-int ew_list_entry(int i)
+int ew_list_entry(const int i)
 {
     uint word = ew_list_words[i >> 3][(i >> 1) & 3];
     return int((i & 1) == 0 ? word & 0xffffu : word >> 16);
@@ -20,7 +20,7 @@ int ew_list_entry(int i)
 #endif
 
 // The first row, in the table of lists, of the tile at a pixel of the grid's viewport, or of the nodes around it.
-int ew_find_tile_row(ivec2 pixel)
+int ew_find_tile_row(const ivec2 pixel)
 {
     ivec2 tile = (pixel - ew_grid.tiles.zw) >> ew_grid.tiles.y;
     return (tile.y * ew_grid.tiles.x + tile.x) * EW_KIND_COUNT;

@@ -1,7 +1,7 @@
 // A sample of the field, for integrators that do nothing but sample it.
 
 // (1 / max(epsilon, distance) - 1 / R) / (s + beta)^2, not negative: psi times zeta, (22). The world integral has no decay.
-float ew_sample(float distance_squared, float s, vec4 glow)
+float ew_sample(const float distance_squared, const float s, const vec4 glow)
 {
     ew_evaluation_count += 1;
 #ifdef EW_REACH

@@ -3,7 +3,7 @@
 // C puts this file into the shader once for each kind, with EW_SOURCE defined as the kind's block.
 
 // The integral over a segment. `others` is for the adaptive integrator: equal divisions have no tolerance.
-float ew_integrate(ew_segment segment, EW_SOURCE source, vec2 chord, float others)
+float ew_integrate(const ew_segment segment, const EW_SOURCE source, const vec2 chord, const float others)
 {
     int divisions = ew_simpson_divisions();
     float step_length = (chord.y - chord.x) / float(divisions);

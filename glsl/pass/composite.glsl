@@ -7,7 +7,7 @@
 const float EW_MAX_RADIANCE = 65504.0;
 
 // The shader's output for sum B_i color_i and, as the fourth component, B.
-vec4 ew_composite(vec4 light)
+vec4 ew_composite(const vec4 light)
 {
 #ifdef EW_LUMINANCE
     return vec4(light.a, 0.0, 0.0, 1.0);

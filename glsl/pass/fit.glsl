@@ -11,7 +11,7 @@ void ew_fit_edge(vec4 nodes[6], out vec4 edge[3])
     edge = vec4[3](slope, 3.0 * rise - 2.0 * slope - last_slope, slope + last_slope - 2.0 * rise);
 }
 
-void ew_fit(ivec2 first, int stride)
+void ew_fit(const ivec2 first, const int stride)
 {
     ivec2 right_step = ivec2(stride, 0), up_step = ivec2(0, stride);
     vec4 bottom[6] = ew_edge_nodes(first, right_step), top[6] = ew_edge_nodes(first + up_step, right_step);

@@ -21,7 +21,7 @@ out vec4 ew_of_node;
 
 // The window depth at `place`. Beyond the viewport, where the host may have drawn nothing, the surface at its border goes on as
 // a plane.
-float ew_window_depth_around(ivec2 place)
+float ew_window_depth_around(const ivec2 place)
 {
     ivec2 first = ew_grid.viewport.xy;
     ivec2 inside = clamp(place, first, first + ew_grid.viewport.zw - 1);

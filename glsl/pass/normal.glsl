@@ -1,14 +1,14 @@
 // The normals of opaque surfaces: the host's, or from their depth.
 
 // In ray space.
-vec3 ew_position_of(vec2 pixel, float depth)
+vec3 ew_position_of(const vec2 pixel, const float depth)
 {
     ew_segment segment = ew_pixel_segment(pixel);
     return segment.origin + ew_end_of_ray(ew_parameter_of_depth(pixel, depth)) * segment.direction;
 }
 
 // The window depth of a sample of a pixel.
-float ew_depth_of_sample(ivec2 place, int sample_index)
+float ew_depth_of_sample(const ivec2 place, const int sample_index)
 {
 #ifdef EW_DEPTH_MULTISAMPLE
     return ew_window_depth(place, sample_index);
@@ -21,7 +21,7 @@ float ew_depth_of_sample(ivec2 place, int sample_index)
 uniform sampler2D ew_normal_texture;
 
 // The unit normal of the surface at a pixel, as the host has it; 0 where that is none.
-vec3 ew_normal_of(ivec2 place, vec3 position, int sample_index)
+vec3 ew_normal_of(const ivec2 place, const vec3 position, const int sample_index)
 {
     vec3 normal = texelFetch(ew_normal_texture, place, 0).xyz;
     if (ew_frame.choices.y >= 2) normal = 2.0 * normal - 1.0;
@@ -34,7 +34,7 @@ vec3 ew_normal_of(ivec2 place, vec3 position, int sample_index)
 }
 #else
 // What is linear across the picture of a plane: the inverse of the view depth, or in a parallel view the depth itself.
-float ew_flat_depth(ivec2 place, int sample_index)
+float ew_flat_depth(const ivec2 place, const int sample_index)
 {
     vec2 pixel = vec2(place) + 0.5 - ew_frame.pixel_center.xy;
     float along = ew_end_of_ray(ew_parameter_of_depth(pixel, ew_depth_of_sample(place, sample_index)));
@@ -43,7 +43,7 @@ float ew_flat_depth(ivec2 place, int sample_index)
 
 // How much the surface bends from `place`, of the flat depth `here`, to the second pixel at `step`. Beyond the viewport there is none
 // of this picture.
-float ew_bend_of_surface(ivec2 place, ivec2 step, float here, int sample_index)
+float ew_bend_of_surface(const ivec2 place, const ivec2 step, const float here, const int sample_index)
 {
     vec2 from_center = abs(vec2(place + 2 * step) + 0.5 - ew_frame.pixel_center.xy);
     if (from_center.x >= ew_frame.light.z || from_center.y >= ew_frame.light.w) return 1e30;
@@ -51,14 +51,14 @@ float ew_bend_of_surface(ivec2 place, ivec2 step, float here, int sample_index)
     return abs(here - 2.0 * near + ew_flat_depth(place + 2 * step, sample_index));
 }
 
-vec3 ew_position_beside(ivec2 place, int sample_index)
+vec3 ew_position_beside(const ivec2 place, const int sample_index)
 {
     return ew_position_of(vec2(place) + 0.5 - ew_frame.pixel_center.xy, ew_depth_of_sample(place, sample_index));
 }
 
 // Along the surface at a pixel towards `axis`: from the pixel before to the one behind. Where the surface ends or bends sharply on
 // either side, from the parabola through the pixel and two on the other.
-vec3 ew_tangent_of(ivec2 place, ivec2 axis, float here, vec3 position, int sample_index)
+vec3 ew_tangent_of(const ivec2 place, const ivec2 axis, const float here, const vec3 position, const int sample_index)
 {
     float back = ew_bend_of_surface(place, -axis, here, sample_index);
     float ahead = ew_bend_of_surface(place, axis, here, sample_index);
@@ -71,7 +71,7 @@ vec3 ew_tangent_of(ivec2 place, ivec2 axis, float here, vec3 position, int sampl
 }
 
 // The unit normal of the surface at a pixel, towards the eye.
-vec3 ew_normal_of(ivec2 place, vec3 position, int sample_index)
+vec3 ew_normal_of(const ivec2 place, const vec3 position, const int sample_index)
 {
     float here = ew_flat_depth(place, sample_index);
     vec3 right = ew_tangent_of(place, ivec2(1, 0), here, position, sample_index);

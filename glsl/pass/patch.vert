@@ -1,25 +1,28 @@
 // A patch of the grid as a point of its size, if it is drawn by this pass: EW_INTERPOLATED, the smooth ones, and else the cells that
-// are rough or, with ew_draws_torn, torn.
+// are rough or, with ew_draws_torn, torn. With an ew_stride of 0, patches are quarters of cells.
 
 uniform sampler2D ew_cell_texture;
 uniform sampler2D ew_block_texture;
 uniform int ew_stride;
 uniform bool ew_draws_torn;
 
-bool ew_is_drawn(ivec2 place)
+bool ew_is_drawn(const ivec2 place)
 {
 #ifdef EW_INTERPOLATED
-    if (ew_stride > 1) return texelFetch(ew_block_texture, place, 0).r == EW_SMOOTH;
-    return texelFetch(ew_cell_texture, place, 0).r == EW_SMOOTH && texelFetch(ew_block_texture, place / EW_BLOCK_CELLS, 0).r != EW_SMOOTH;
+    if (ew_stride > 1) return ew_read_class(ew_block_texture, place) == EW_SMOOTH;
+    return ew_read_class(ew_cell_texture, place) == EW_SMOOTH && ew_read_class(ew_block_texture, place / EW_BLOCK_CELLS) != EW_SMOOTH;
 #else
-    float drawn_class = texelFetch(ew_cell_texture, place, 0).r;
-    return abs(drawn_class - (ew_draws_torn ? EW_TORN : EW_ROUGH)) < 0.1;
+    bool is_whole = ew_stride > 0;
+    int cell_class = ew_read_class(ew_cell_texture, is_whole ? place : place / 2);
+    if (!ew_draws_torn) return cell_class == EW_ROUGH;
+    int quarter = 2 * (place.y & 1) + (place.x & 1);
+    return cell_class <= EW_LAST_TORN && (is_whole || (cell_class >> quarter & 1) != 0);
 #endif
 }
 
 void main()
 {
-    int width = ew_stride * EW_CELL_SIZE;
+    int width = ew_stride > 0 ? ew_stride * EW_CELL_SIZE : EW_CELL_SIZE / 2;
     ivec2 count = (ew_grid.viewport.zw + width - 1) / width;
     ivec2 place = ivec2(gl_VertexID % count.x, gl_VertexID / count.x);
     vec2 center = (vec2(place) + 0.5) / vec2(count);

@@ -6,7 +6,7 @@ bool ew_is_perspective()
 }
 
 // The segment of the ray from S to E. `pixel` is relative to the pixel of NDC (0, 0).
-ew_segment ew_pixel_segment(vec2 pixel)
+ew_segment ew_pixel_segment(const vec2 pixel)
 {
     vec4 ray = ew_frame.ray_center + pixel.x * ew_frame.ray_right + pixel.y * ew_frame.ray_up;
 #ifdef EW_WORLD

@@ -7,7 +7,7 @@ const int EW_SHADOW_STEPS = 12;
 
 // The pixel, relative to that of NDC (0, 0), at which a place in ray space is seen: the inverse of ew_pixel_segment. Its view
 // depth must be positive.
-vec2 ew_pixel_of(vec3 position)
+vec2 ew_pixel_of(const vec3 position)
 {
     vec2 center = ew_frame.ray_center.xy - position.z * ew_frame.ray_center.zw;
     vec2 right = ew_frame.ray_right.xy - position.z * ew_frame.ray_right.zw;
@@ -17,18 +17,18 @@ vec2 ew_pixel_of(vec3 position)
 }
 
 // How large a pixel is at a place, in ray space.
-float ew_pixel_size(vec3 position)
+float ew_pixel_size(const vec3 position)
 {
     return length(ew_frame.ray_up.xy - position.z * ew_frame.ray_up.zw);
 }
 
-bool ew_is_on_picture(vec2 pixel)
+bool ew_is_on_picture(const vec2 pixel)
 {
     return all(lessThan(abs(pixel), ew_frame.light.zw));
 }
 
 // Whether the opaque scene hides a place: it is in front of it, by no more than things are thick.
-bool ew_is_hidden(vec3 position)
+bool ew_is_hidden(const vec3 position)
 {
     vec2 pixel = ew_pixel_of(position);
     if (!ew_is_on_picture(pixel)) return false;
@@ -40,7 +40,7 @@ bool ew_is_hidden(vec3 position)
 
 // Whether light comes to `from` from the place at `way` from there. `first`: where between steps this ray looks. The steps are
 // short next to the surface, where contacts are seen. The source's own core hides nothing.
-bool ew_is_lit_from(vec3 from, vec3 way, float core, float first)
+bool ew_is_lit_from(const vec3 from, const vec3 way, const float core, const float first)
 {
     float depth = ew_frame.core_floor.y - from.z;
     // Rays towards places beside and behind the eye end close to its plane.
@@ -54,7 +54,7 @@ bool ew_is_lit_from(vec3 from, vec3 way, float core, float first)
     return true;
 }
 
-float ew_visible_share(ew_surface surface, float core)
+float ew_visible_share(const ew_surface surface, const float core)
 {
     // Off the surface by two pixels, which its own depth cannot hide.
     vec3 lift = 2.0 * ew_pixel_size(surface.position) * surface.normal;

@@ -16,12 +16,15 @@ void main()
 
 #ifdef EW_DEPTH_MULTISAMPLE
     // The mean of what is done to the target, not of the depths: a pixel on a silhouette is no wall half way.
+    ivec2 place = ivec2(gl_FragCoord.xy);
+    ew_shaded_samples shaded = ew_samples_to_shade(place);
+    int i = shaded.first;
     ew_color = vec4(0.0);
-    for (int i = ew_samples.x; i < ew_samples.y; ++i) {
-        segment.end = ew_end_of_ray(ew_parameter_of_depth(pixel, ew_window_depth(ivec2(gl_FragCoord.xy), i)));
+    do {
+        segment.end = ew_end_of_ray(ew_parameter_of_depth(pixel, ew_depth_to_shade(shaded, place, i)));
         ew_color += ew_composite(ew_integrate_all(segment));
-    }
-    ew_color /= float(ew_samples.y - ew_samples.x);
+    } while (++i < shaded.end);
+    ew_color /= float(shaded.end - shaded.first);
 #else
 #ifdef EW_DEPTH
     segment.end = ew_end_of_ray(ew_parameter_of_depth(pixel, ew_window_depth(ivec2(gl_FragCoord.xy))));

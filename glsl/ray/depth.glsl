@@ -1,7 +1,7 @@
 // Where the opaque scene ends the ray.
 
 // What is added to `depth`.x, the larger part of the window depth at one end of the interval, for the ray through `pixel`.
-float ew_depth_correction(vec4 depth, vec2 pixel)
+float ew_depth_correction(const vec4 depth, const vec2 pixel)
 {
     float rounding_error = depth.y;
     vec2 per_pixel = depth.zw;
@@ -18,7 +18,7 @@ float ew_depth_correction(vec4 depth, vec2 pixel)
 // This holds for every projection, reversed and infinite ones included. Inside the interval the divisor is a sum of positive
 // terms. d may be close to d_S or d_E, so both come as the sum of a float and its rounding error. With w = 1 it holds for view
 // depth as well.
-float ew_parameter_of_depth(vec2 pixel, float depth)
+float ew_parameter_of_depth(const vec2 pixel, const float depth)
 {
     vec4 start = ew_frame.depth_start;
     vec4 end = ew_frame.depth_end;
@@ -39,7 +39,7 @@ float ew_parameter_of_depth(vec2 pixel, float depth)
 }
 
 // How much the parameter grows with window depth, at `depth`, if that is between those of S and E.
-float ew_parameter_slope(vec2 pixel, float depth)
+float ew_parameter_slope(const vec2 pixel, const float depth)
 {
     vec4 start = ew_frame.depth_start;
     vec4 end = ew_frame.depth_end;
@@ -58,7 +58,7 @@ uniform sampler2DMS ew_depth_texture;
 uniform ivec2 ew_samples;
 
 // The window depth of a sample of the target's pixel `place`.
-float ew_window_depth(ivec2 place, int sample_index)
+float ew_window_depth(const ivec2 place, const int sample_index)
 {
     return texelFetch(ew_depth_texture, place, sample_index).r;
 }
@@ -66,7 +66,7 @@ float ew_window_depth(ivec2 place, int sample_index)
 uniform sampler2D ew_depth_texture;
 
 // The window depth of the target's pixel `place`.
-float ew_window_depth(ivec2 place)
+float ew_window_depth(const ivec2 place)
 {
     return texelFetch(ew_depth_texture, place, 0).r;
 }

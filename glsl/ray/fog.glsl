@@ -30,12 +30,12 @@ float ew_fog_thin_from = 0.0;
 
 #ifdef EW_FOG_HEIGHT
 // That of the fog. Where it is thinner than e^-80 or thicker than e^69, it may as well be as thin or as thick as that.
-vec4 ew_fog_extinction_at(vec4 s)
+vec4 ew_fog_extinction_at(const vec4 s)
 {
     return ew_fog_speed * exp(-clamp(ew_fog_height + ew_fog_rise * (s - ew_fog_begin), -69.0, 80.0));
 }
 
-float ew_fog_extinction_at(float s)
+float ew_fog_extinction_at(const float s)
 {
     return ew_fog_extinction_at(vec4(s)).x;
 }
@@ -43,7 +43,7 @@ float ew_fog_extinction_at(float s)
 // The optical depth from where the fog begins up to s, where its extinction is `at_s`: the integral of an exponential. Where that
 // hardly changes it would be a small difference; there it is the way times the series of the mean. Relative error 1e-6 where the fog
 // is neither thinner nor thicker than above.
-vec4 ew_optical_depth_of(vec4 s, vec4 at_s)
+vec4 ew_optical_depth_of(const vec4 s, const vec4 at_s)
 {
     vec4 way = s - ew_fog_begin;
     vec4 x = -ew_fog_rise * way;
@@ -52,14 +52,14 @@ vec4 ew_optical_depth_of(vec4 s, vec4 at_s)
     return mix(difference, way * mean, lessThan(abs(x), vec4(0.1))) + ew_body_extinction * way;
 }
 
-vec4 ew_optical_depth(vec4 s)
+vec4 ew_optical_depth(const vec4 s)
 {
     return ew_optical_depth_of(s, ew_fog_extinction_at(s));
 }
 
 // The way from s on, `along` the ray (1) or against it (-1), on which there is next to no fog: without end where it thins out, and 0
 // where there is some at once.
-float ew_way_through_thin_fog(float s, float along)
+float ew_way_through_thin_fog(const float s, const float along)
 {
     float room = mix(-1.0, 1.0, ew_fog_rise > 0.0) * (s - ew_fog_thin_from);
     float way = mix(max(room, 0.0), mix(0.0, 1e30, room >= 0.0), along * ew_fog_rise > 0.0);
@@ -69,52 +69,52 @@ float ew_way_through_thin_fog(float s, float along)
 // How long a panel from s on may be, along the ray or against it, for the transmittance to be next to a polynomial: no longer than `depth`
 // of optical depth or two scales of height, unless there is next to no fog in it. The way that takes `depth` is at least
 // 2 depth / (2 e + g depth).
-float ew_longest_in_fog(float s, float along, float depth)
+float ew_longest_in_fog(const float s, const float along, const float depth)
 {
     float growth = -along * ew_fog_rise;
     float way = 2.0 * depth / (2.0 * (ew_fog_extinction_at(s) + ew_body_extinction) + max(growth, 0.0) * depth);
     return max(min(way, 2.0 * abs(ew_fog_inverse_rise)), ew_way_through_thin_fog(s, along));
 }
 #else
-vec4 ew_optical_depth(vec4 s)
+vec4 ew_optical_depth(const vec4 s)
 {
     return (ew_fog_extinction + ew_body_extinction) * (s - ew_fog_begin);
 }
 
-float ew_way_through_thin_fog(float s, float along)
+float ew_way_through_thin_fog(const float s, const float along)
 {
     return EW_THIN_FOG / (ew_fog_extinction + ew_body_extinction);
 }
 
-float ew_longest_in_fog(float s, float along, float depth)
+float ew_longest_in_fog(const float s, const float along, const float depth)
 {
     return depth / (ew_fog_extinction + ew_body_extinction);
 }
 #endif
 
-vec4 ew_transmittance_of(vec4 optical_depth)
+vec4 ew_transmittance_of(const vec4 optical_depth)
 {
     return exp2(-1.44269504 * optical_depth);
 }
 
 // The share of the light at s that reaches the place where the fog begins.
-vec4 ew_transmittance(vec4 s)
+vec4 ew_transmittance(const vec4 s)
 {
     return ew_transmittance_of(ew_optical_depth(s));
 }
 
-vec3 ew_transmittance(vec3 s)
+vec3 ew_transmittance(const vec3 s)
 {
     return ew_transmittance(vec4(s, ew_fog_begin)).xyz;
 }
 
-float ew_transmittance(float s)
+float ew_transmittance(const float s)
 {
     return ew_transmittance(vec4(s)).x;
 }
 
 // Of a place in the midst of a panel: x: the optical depth there, y: the fog's extinction.
-vec2 ew_fog_at(float s)
+vec2 ew_fog_at(const float s)
 {
 #ifdef EW_FOG_HEIGHT
     float extinction = ew_fog_extinction_at(s);
@@ -125,7 +125,7 @@ vec2 ew_fog_at(float s)
 }
 
 // Prepares for a ray.
-void ew_enter_fog(ew_segment segment)
+void ew_enter_fog(const ew_segment segment)
 {
 #ifdef EW_FOG_HEIGHT
     ew_fog_speed = length(segment.direction);
@@ -145,7 +145,7 @@ void ew_enter_fog(ew_segment segment)
 // The s at which a ray ends that would end at `end`, because the fog hides all behind it. By height, with the growth g of the extinction
 // e along the ray, the way through the depth t is log(1 + x) / g with x = g t / e. It ends somewhat later: that is at most
 // t / e / sqrt(1 + x), and log(1.25 x) / g where x > 4.
-float ew_end_in_fog(float end)
+float ew_end_in_fog(const float end)
 {
     float way = EW_FOG_DEPTH / ew_fog_extinction;
 #ifdef EW_FOG_HEIGHT

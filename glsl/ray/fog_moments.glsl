@@ -15,7 +15,7 @@ const float EW_FOG_HIDDEN = 2e-9;
 const float EW_CUBIC_FAR = 24.0;
 
 // How long a panel from s on may be. In the core, which ends at `core_end`, it is no longer than half of what makes that as wide as it is.
-float ew_longest_cubic(float s, vec2 core, vec4 glow)
+float ew_longest_cubic(const float s, const vec2 core, const vec4 glow)
 {
 #ifdef EW_FOG_HEIGHT
     float way = ew_cubic_length() / (ew_fog_extinction_at(s) + ew_body_extinction + abs(ew_fog_rise));
@@ -33,7 +33,7 @@ float ew_longest_cubic(float s, vec2 core, vec4 glow)
 // The transmittance at y from the middle of a panel, |y| <= radius: x + y (y + y (z + y w)). It is Taylor's series of order five, whose last
 // two terms are economized. In a panel that is too long for it there is next to no fog, and one that is too short for powers of it is a
 // place.
-vec4 ew_transmittance_cubic(float middle, float radius)
+vec4 ew_transmittance_cubic(const float middle, const float radius)
 {
     vec2 fog = ew_fog_at(middle);
     float e = (fog.y + ew_body_extinction) * radius;
@@ -63,7 +63,7 @@ vec4 ew_transmittance_cubic(float middle, float radius)
 }
 
 // The moments about 0 of a light that is spread over `size` around `at`, evenly but for a tilt: that is what it adds to the first one.
-vec4 ew_moments_of_spread(float light, float tilt, float size, float at)
+vec4 ew_moments_of_spread(const float light, const float tilt, const float size, const float at)
 {
     float spread = size * size * (1.0 / 12.0);
     float at2 = at * at;
@@ -72,7 +72,7 @@ vec4 ew_moments_of_spread(float light, float tilt, float size, float at)
 }
 
 // From moments about 0 to those about `place`.
-vec4 ew_shift_moments(vec4 moments, float place)
+vec4 ew_shift_moments(const vec4 moments, const float place)
 {
     float second = moments.z + place * (place * moments.x - 2.0 * moments.y);
     float third = moments.w - place * (3.0 * moments.z + place * (place * moments.x - 3.0 * moments.y));
@@ -80,7 +80,7 @@ vec4 ew_shift_moments(vec4 moments, float place)
 }
 
 // Where the core is, by s.
-vec2 ew_core_on_ray(float b2, float k, float s0, vec4 glow)
+vec2 ew_core_on_ray(const float b2, const float k, const float s0, const vec4 glow)
 {
     return s0 + ew_core_of(b2, k, s0, glow);
 }
@@ -91,7 +91,7 @@ vec2 ew_core_on_ray(float b2, float k, float s0, vec4 glow)
 //     y^2 / d  (y d - b2 (that of 1 / d)) / 2 k,  and  y^3 / d  (y^2 d - 2 b2 (that of y / d)) / 3 k.
 //
 // Far away these would be small differences. But there the field is next to linear, as it is in the core.
-vec4 ew_moments_of_part(float b2, float k, float s0, vec2 core, vec2 part, float middle, vec4 glow)
+vec4 ew_moments_of_part(const float b2, const float k, float s0, const vec2 core, const vec2 part, const float middle, const vec4 glow)
 {
     // Of empty parts, whose source may be anywhere, powers must be floats, too.
     s0 = clamp(s0, middle - 1e9, middle + 1e9);
@@ -141,7 +141,7 @@ vec4 ew_moments_of_part(float b2, float k, float s0, vec2 core, vec2 part, float
     return moments - ew_moments_of_spread(ew_inverse_reach(glow) * whole, 0.0, whole, 0.5 * (part.x + part.y) - middle);
 }
 // The light of a panel, and the transmittance in its middle.
-vec2 ew_integrate_panel(float b2, float k, float s0, vec2 core, vec2 panel, vec4 glow)
+vec2 ew_integrate_panel(const float b2, const float k, const float s0, const vec2 core, const vec2 panel, const vec4 glow)
 {
     float middle = 0.5 * (panel.x + panel.y);
     vec4 transmittance = ew_transmittance_cubic(middle, 0.5 * (panel.y - panel.x));
@@ -150,13 +150,13 @@ vec2 ew_integrate_panel(float b2, float k, float s0, vec2 core, vec2 panel, vec4
 #endif
 
 // What ew_integrate_within_reach is, by quintics.
-float ew_integrate_by_rule(float b2, float k, float s0, vec2 part, vec4 glow)
+float ew_integrate_by_rule(const float b2, const float k, const float s0, const vec2 part, const vec4 glow)
 {
     return ew_integrate_in_fog(b2, k, s0, part, s0 + ew_core_of(b2, k, s0, glow), vec4(1.0, 0.0, 0.0, 0.0), glow);
 }
 
 // What ew_integrate_floored_reciprocal is, less 1 / R, in fog.
-float ew_integrate_within_reach(float b2, float k, float s0, vec2 part, vec4 glow)
+float ew_integrate_within_reach(const float b2, const float k, const float s0, const vec2 part, const vec4 glow)
 {
 #ifdef EW_WORLD
     vec2 core = ew_core_on_ray(b2, k, s0, glow);

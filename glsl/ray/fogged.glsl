@@ -9,7 +9,7 @@ const float EW_QUINTIC_FAR = 8.0;
 
 // How long a panel of ew_integrate_quintic may be from s on, for the polynomial to err by 4e-4 at worst, and mostly by 1e-4. With a decay it
 // errs most where the fog thickens.
-float ew_longest_quintic(float s, vec4 weight)
+float ew_longest_quintic(const float s, const vec4 weight)
 {
     float steepness = ew_fog_extinction + ew_body_extinction;
 #ifdef EW_FOG_HEIGHT
@@ -49,7 +49,7 @@ vec3 ew_small_power(vec3 x)
 }
 
 // (exp(x) - 1) / x for |x| < 1.5: the mean of the extinction over x scales of height, relative to where they begin. Relative error 2e-5.
-vec3 ew_small_mean(vec3 x)
+vec3 ew_small_mean(const vec3 x)
 {
     return 1.0 + x * (0.5 + x * (0.16666667 + x * (0.041666667 + x * (0.0083333333 + x * (0.0013888889 +
                  x * (0.00019841270 + x * 0.000024801587))))));
@@ -58,14 +58,14 @@ vec3 ew_small_mean(vec3 x)
 #ifdef EW_FOG_HEIGHT
 // The scales of height by which places of a panel that is so long, `way` from its middle, are below that. A panel of more of them than the
 // series take is one in which there is next to no fog.
-vec3 ew_scales_in_panel(vec3 way, float size)
+vec3 ew_scales_in_panel(const vec3 way, const float size)
 {
     return mix(-ew_fog_rise * way, vec3(0.0), bvec3(abs(ew_fog_rise) * size > 2.5));
 }
 #endif
 
 // The transmittance at places of a panel that is so long, `way` from its middle, where `fog` is, over that in the middle.
-vec3 ew_transmittance_in_panel(vec2 fog, vec3 way, float size)
+vec3 ew_transmittance_in_panel(const vec2 fog, const vec3 way, const float size)
 {
 #ifdef EW_FOG_HEIGHT
     float middle = mix(fog.y, 0.0, abs(ew_fog_rise) * size > 2.5);
@@ -75,34 +75,49 @@ vec3 ew_transmittance_in_panel(vec2 fog, vec3 way, float size)
 #endif
 }
 
-// The integral over a panel of weight (1 / sqrt(b2 + k (s - s0)^2) - 1 / R) in fog, and with the decay. The weight is
-// weight.x + weight.y y + weight.z y^2 with y = s - weight.w. t goes from -1 to 1 along the panel, linear in s; or, with a decay, in
-// v = 1 / (s + beta), as there the field in v is 1 / r with r^2 quadratic, too: see ew_integrate_reciprocal. What multiplies 1 / r is taken for the
-// polynomial that has its values and slopes at -1, 0 and 1.
-float ew_integrate_quintic(float b2, float k, float s0, vec2 panel, vec4 weight, float inverse_reach)
-{
-    float size = panel.y - panel.x;
-#ifdef EW_WORLD
-    vec3 s = vec3(panel.x, 0.5 * (panel.x + panel.y), panel.y);
-    float h = 0.5 * size;
-    // The growth of s with t.
-    vec3 rate = vec3(h);
-#else
-    vec3 depth = vec3(panel.x + ew_beta(), 0.0, panel.y + ew_beta());
-    float part = 1.0 / (depth.x + depth.z);
-    vec3 s = vec3(panel.x, panel.x + size * (depth.x * part), panel.y);
-    depth.y = 2.0 * depth.x * depth.z * part;
-    vec3 v = vec3(1.0 / depth.x, 0.0, 1.0 / depth.z);
-    v.y = 0.5 * (v.x + v.z);
-    float h = 0.5 * size * v.x * v.z;
-#if defined(EW_REACH) || defined(EW_WEIGHTS)
-    vec3 rate = h * depth * depth;
+// A panel. t goes from -1 to 1 along it, linear in s; or, with a decay, in v = 1 / (s + beta), as there the field in v is 1 / r with r^2
+// quadratic, too: see ew_integrate_reciprocal.
+struct ew_quintic_panel {
+    vec3 s;    // at t = -1, 0 and 1
+    vec3 rate; // the growth of s with t there
+    float h;   // that of what t is linear in, without its sign
+#ifndef EW_WORLD
+    vec3 v;
 #endif
-#endif
+};
 
-    // The transmittance over that in the middle, and its slope.
-    vec2 fog = ew_fog_at(s.y);
-    vec3 way = s - s.y;
+ew_quintic_panel ew_map_quintic(const vec2 ends)
+{
+    ew_quintic_panel panel;
+    float size = ends.y - ends.x;
+#ifdef EW_WORLD
+    panel.s = vec3(ends.x, 0.5 * (ends.x + ends.y), ends.y);
+    panel.h = 0.5 * size;
+    panel.rate = vec3(panel.h);
+#else
+    vec3 depth = vec3(ends.x + ew_beta(), 0.0, ends.y + ew_beta());
+    float part = 1.0 / (depth.x + depth.z);
+    panel.s = vec3(ends.x, ends.x + size * (depth.x * part), ends.y);
+    depth.y = 2.0 * depth.x * depth.z * part;
+    panel.v = vec3(1.0 / depth.x, 0.0, 1.0 / depth.z);
+    panel.v.y = 0.5 * (panel.v.x + panel.v.z);
+    panel.h = 0.5 * size * panel.v.x * panel.v.z;
+    panel.rate = panel.h * depth * depth;
+#endif
+    return panel;
+}
+
+// What multiplies the field, at t = -1, 0 and 1.
+struct ew_smooth_factor {
+    vec3 value;
+    vec3 slope; // with t
+};
+
+// The transmittance over that in the middle, where `fog` is, times the weight.
+ew_smooth_factor ew_smooth_in_panel(const ew_quintic_panel panel, const vec2 fog, const vec4 weight)
+{
+    float size = panel.s.z - panel.s.x;
+    vec3 way = panel.s - panel.s.y;
 #ifdef EW_FOG_HEIGHT
     vec3 x = ew_scales_in_panel(way, size);
     float middle = mix(fog.y, 0.0, abs(ew_fog_rise) * size > 2.5);
@@ -110,55 +125,53 @@ float ew_integrate_quintic(float b2, float k, float s0, vec2 panel, vec4 weight,
 #else
     float extinction = ew_fog_extinction + ew_body_extinction;
 #endif
-    vec3 smooth_at = ew_transmittance_in_panel(fog, way, size);
-#if defined(EW_WORLD) || defined(EW_REACH) || defined(EW_WEIGHTS)
-    vec3 slope = -smooth_at * extinction * rate;
-#endif
+    vec3 value = ew_transmittance_in_panel(fog, way, size);
+    vec3 slope = -value * extinction * panel.rate;
 #ifdef EW_WEIGHTS
-    vec3 along = s - weight.w;
+    vec3 along = panel.s - weight.w;
     vec3 weights = weight.x + along * (weight.y + along * weight.z);
-    slope = slope * weights + smooth_at * rate * (weight.y + 2.0 * along * weight.z);
-    smooth_at *= weights;
+    slope = slope * weights + value * panel.rate * (weight.y + 2.0 * along * weight.z);
+    value *= weights;
 #endif
-#ifdef EW_REACH
-    float at_reach = inverse_reach * ((16.0 / 15.0) * smooth_at.y + (7.0 / 15.0) * (smooth_at.x + smooth_at.z) +
-                                      (1.0 / 15.0) * (slope.x - slope.z));
-#endif
-#ifndef EW_WORLD
-#if defined(EW_REACH) || defined(EW_WEIGHTS)
-    slope = slope * v - h * smooth_at;
-#else
-    vec3 slope = -h * smooth_at * (1.0 + extinction * depth);
-#endif
-    smooth_at *= v;
-#endif
-    float even = 0.5 * (smooth_at.z + smooth_at.x) - smooth_at.y;
-    float odd = 0.5 * (smooth_at.z - smooth_at.x) - slope.y;
-    float fourth = 0.25 * (slope.z - slope.x) - even;
-    float fifth = 0.25 * (slope.z + slope.x) - 0.5 * slope.y - 1.5 * odd;
+    return ew_smooth_factor(value, slope);
+}
+
+// The integral over t of the polynomial that has the factor's values and slopes.
+float ew_integrate_factor(const ew_smooth_factor factor)
+{
+    return (7.0 / 15.0) * (factor.value.x + factor.value.z) + (16.0 / 15.0) * factor.value.y +
+           (1.0 / 15.0) * (factor.slope.x - factor.slope.z);
+}
+
+// The integral over a panel of h / r times the polynomial in t that has the factor's values and slopes, with r^2 = b2 + k (s - s0)^2, or
+// that times v^2.
+float ew_integrate_over_distance(const ew_quintic_panel panel, const float b2, const float k, const float s0, const ew_smooth_factor factor)
+{
+    float even = 0.5 * (factor.value.z + factor.value.x) - factor.value.y;
+    float odd = 0.5 * (factor.value.z - factor.value.x) - factor.slope.y;
+    float fourth = 0.25 * (factor.slope.z - factor.slope.x) - even;
+    float fifth = 0.25 * (factor.slope.z + factor.slope.x) - 0.5 * factor.slope.y - 1.5 * odd;
     float third = odd - fifth;
     float second = even - fourth;
 
     // r and, times c, how far the place is from where r is least.
-    vec3 y = s - s0;
+    vec3 y = panel.s - s0;
     vec3 r = sqrt(b2 + k * y * y);
 #ifdef EW_WORLD
     float c = k;
     vec3 away = k * y;
-#else
-    r *= v;
-    float g = k * (s0 + ew_beta());
-    float c = b2 + g * (s0 + ew_beta());
-    vec3 away = (g * y - b2) * v;
-#endif
-    // The moments of h / r, as in ew_find_moments.
     float inverse_root = inversesqrt(max(c, 1e-30));
-#ifdef EW_WORLD
     float least2 = b2;
 #else
+    r *= panel.v;
+    float g = k * (s0 + ew_beta());
+    float c = b2 + g * (s0 + ew_beta());
+    vec3 away = (g * y - b2) * panel.v;
+    float inverse_root = inversesqrt(max(c, 1e-30));
     float least2 = k * b2 * inverse_root * inverse_root;
 #endif
-    float unit = inverse_root / max(h, 1e-30);
+    // The moments of h / r, as in ew_find_moments.
+    float unit = inverse_root / max(panel.h, 1e-30);
     vec2 sum = r.xz + abs(away.xz) * inverse_root;
     bool is_beside = away.x * away.z < 0.0;
     float larger = mix(max(sum.x, sum.y), sum.x * sum.y, is_beside);
@@ -173,22 +186,39 @@ float ew_integrate_quintic(float b2, float k, float s0, vec2 panel, vec4 weight,
     float moment3 = (1.0 / 3.0) * (r_difference + 5.0 * place * moment2 - 2.0 * square * moment1);
     float moment4 = 0.25 * (r_sum + 7.0 * place * moment3 - 3.0 * square * moment2);
     float moment5 = 0.2 * (r_difference + 9.0 * place * moment4 - 4.0 * square * moment3);
-    float light = inverse_root * (smooth_at.y * moment0 + slope.y * moment1 + second * moment2 + third * moment3 + fourth * moment4 +
-                                  fifth * moment5);
+    float light = inverse_root * (factor.value.y * moment0 + factor.slope.y * moment1 + second * moment2 + third * moment3 +
+                                  fourth * moment4 + fifth * moment5);
     // Far away, the quotient is next to a polynomial, too.
     vec3 inverse_r = 1.0 / max(r, 1e-30);
-    vec3 quotient = smooth_at * inverse_r;
-    vec2 bend = (slope.xz - h * away.xz * quotient.xz * inverse_r.xz) * inverse_r.xz;
-    float far_light = h * ((7.0 / 15.0) * (quotient.x + quotient.z) + (16.0 / 15.0) * quotient.y + (1.0 / 15.0) * (bend.x - bend.y));
-    light = mix(light, far_light, square > EW_QUINTIC_FAR * EW_QUINTIC_FAR);
+    ew_smooth_factor quotient = ew_smooth_factor(factor.value * inverse_r, vec3(0.0));
+    quotient.slope = (factor.slope - panel.h * away * quotient.value * inverse_r) * inverse_r;
+    return mix(light, panel.h * ew_integrate_factor(quotient), square > EW_QUINTIC_FAR * EW_QUINTIC_FAR);
+}
+
+// The integral over a panel of weight (1 / sqrt(b2 + k (s - s0)^2) - 1 / R) in fog, and with the decay. The weight is
+// weight.x + weight.y y + weight.z y^2 with y = s - weight.w. What multiplies 1 / r is taken for the polynomial that has its values and
+// slopes at t = -1, 0 and 1.
+float ew_integrate_quintic(const float b2, const float k, const float s0, const vec2 ends, const vec4 weight, const float inverse_reach)
+{
+    ew_quintic_panel panel = ew_map_quintic(ends);
+    vec2 fog = ew_fog_at(panel.s.y);
+    ew_smooth_factor factor = ew_smooth_in_panel(panel, fog, weight);
 #ifdef EW_REACH
-    light -= h * at_reach;
+    float at_reach = inverse_reach * panel.h * ew_integrate_factor(factor);
 #endif
-    return mix(0.0, light * ew_transmittance_of(vec4(fog.x)).x, size > 0.0);
+#ifndef EW_WORLD
+    factor.slope = factor.slope * panel.v - panel.h * factor.value;
+    factor.value *= panel.v;
+#endif
+    float light = ew_integrate_over_distance(panel, b2, k, s0, factor);
+#ifdef EW_REACH
+    light -= at_reach;
+#endif
+    return mix(0.0, light * ew_transmittance_of(vec4(fog.x)).x, ends.y > ends.x);
 }
 
 // b2, k and s0 of the field in the core, 1 / r'.
-vec3 ew_field_in_core(vec4 glow, float s0)
+vec3 ew_field_in_core(const vec4 glow, const float s0)
 {
 #ifdef EW_CORE_PIXELS
     return vec3(ew_core_radius2(glow), max(ew_core_growth2(), 1e-30), -ew_view_depth.x / ew_view_depth.y);
@@ -199,7 +229,7 @@ vec3 ew_field_in_core(vec4 glow, float s0)
 
 // The same over a part, with the core, in which 1 / r' takes the place of the reciprocal distance: it is of the same form. Panels end at the
 // core's edges.
-float ew_integrate_in_fog(float b2, float k, float s0, vec2 part, vec2 core, vec4 weight, vec4 glow)
+float ew_integrate_in_fog(const float b2, const float k, const float s0, const vec2 part, vec2 core, const vec4 weight, const vec4 glow)
 {
     core = mix(part.yy, clamp(core, part.x, part.y), bvec2(core.x < core.y));
     vec3 in_core = ew_field_in_core(glow, s0);

@@ -29,7 +29,7 @@ struct ew_body_ray {
     vec3 step;
 };
 
-ew_body_ray ew_bring_to_body(ew_segment segment, ew_medium_block body)
+ew_body_ray ew_bring_to_body(const ew_segment segment, const ew_medium_block body)
 {
     vec4 origin = vec4(segment.origin, 1.0);
     return ew_body_ray(vec3(dot(body.row_x, origin), dot(body.row_y, origin), dot(body.row_z, origin)),
@@ -44,7 +44,7 @@ struct ew_slabs {
     vec3 speed; // across them, not 0
 };
 
-ew_slabs ew_meet_slabs(ew_body_ray ray)
+ew_slabs ew_meet_slabs(const ew_body_ray ray)
 {
     vec3 speed = mix(ray.step, vec3(1e-30), lessThan(abs(ray.step), vec3(1e-30)));
     vec3 first = (-1.0 - ray.place) / speed;
@@ -54,7 +54,7 @@ ew_slabs ew_meet_slabs(ew_body_ray ray)
 
 // Where a line is in a body, from x to y, and z, how long that is, which the difference of x and y would not tell of a thin pane far away.
 // Of a ball it is a chord, of a cube what three slabs have in common. Empty, x >= y, where the line passes by.
-vec3 ew_chord_of_body(ew_segment segment, int i)
+vec3 ew_chord_of_body(const ew_segment segment, const int i)
 {
     ew_body_ray ray = ew_bring_to_body(segment, ew_media[i]);
     if (i < ew_fog.bodies.y) {
@@ -73,7 +73,7 @@ vec3 ew_chord_of_body(ew_segment segment, int i)
 }
 
 // Takes a body into the list of those that the ray meets between `begin` and its end, if it does. `speed`: the length of an s.
-void ew_meet_body(ew_segment segment, float begin, float speed, int i)
+void ew_meet_body(const ew_segment segment, const float begin, const float speed, const int i)
 {
     vec3 whole = ew_chord_of_body(segment, i);
     // The thinnest pane that s can tell is that thin.
@@ -88,7 +88,7 @@ void ew_meet_body(ew_segment segment, float begin, float speed, int i)
 }
 
 // What dims the light from s on, up to where that changes.
-void ew_enter_air(float s, float extinction)
+void ew_enter_air(const float s, const float extinction)
 {
     ew_fog_begin = s;
     ew_body_extinction = extinction;
@@ -99,7 +99,7 @@ void ew_enter_air(float s, float extinction)
 }
 
 // Divides a ray into legs, after ew_enter_fog; what EW_FOG_DEPTH hides has none. Enters the last of them.
-void ew_enter_media(ew_segment segment)
+void ew_enter_media(const ew_segment segment)
 {
     float speed = length(segment.direction);
     float s = ew_fog_begin;
@@ -133,7 +133,7 @@ void ew_enter_media(ew_segment segment)
 }
 
 // The first leg from `leg` on that has a part of `chord`; their count if there is none.
-int ew_next_leg(vec2 chord, int leg)
+int ew_next_leg(const vec2 chord, int leg)
 {
     bool is_empty;
     do {
@@ -144,7 +144,7 @@ int ew_next_leg(vec2 chord, int leg)
 }
 
 // Enters a leg, and returns the part of `chord` that is on it.
-vec2 ew_enter_leg(vec2 chord, int leg)
+vec2 ew_enter_leg(const vec2 chord, const int leg)
 {
     ew_enter_air(ew_legs[leg].x, ew_legs[leg].y);
     ew_leg_share = ew_transmittance_of(vec4(ew_legs[leg].z)).x;

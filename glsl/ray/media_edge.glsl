@@ -2,7 +2,7 @@
 // resolution.
 
 // By how much places of the body's own space change, at the ray's s, from a node to all rays within a cell of it.
-vec3 ew_cell_in_body(ew_medium_block body, float s)
+vec3 ew_cell_in_body(const ew_medium_block body, const float s)
 {
     vec2 right = float(EW_CELL_SIZE) * (ew_frame.ray_right.xy + s * ew_frame.ray_right.zw);
     vec2 up = float(EW_CELL_SIZE) * (ew_frame.ray_up.xy + s * ew_frame.ray_up.zw);
@@ -12,7 +12,7 @@ vec3 ew_cell_in_body(ew_medium_block body, float s)
 }
 
 // How many of the four may be the largest, each of them off by as much as `error` says.
-int ew_count_largest(vec4 values, vec4 error)
+int ew_count_largest(const vec4 values, const vec4 error)
 {
     vec4 least = values - error;
     float most = max(max(least.x, least.y), max(least.z, least.w));
@@ -21,7 +21,7 @@ int ew_count_largest(vec4 values, vec4 error)
 
 // Whether some ray within a cell of this one may meet another face of a box, or pass it by, where this one does not, or the reverse.
 // `begin`: where the fog does.
-bool ew_is_near_edge_of_box(ew_medium_block body, ew_body_ray ray, float begin, float end)
+bool ew_is_near_edge_of_box(const ew_medium_block body, const ew_body_ray ray, const float begin, const float end)
 {
     ew_slabs slabs = ew_meet_slabs(ray);
     vec3 near = clamp(slabs.near, -1e15, 1e15);
@@ -44,7 +44,7 @@ bool ew_is_near_edge_of_box(ew_medium_block body, ew_body_ray ray, float begin, 
 }
 
 // The same of an ellipsoid's silhouette.
-bool ew_is_near_edge_of_ball(ew_medium_block body, ew_body_ray ray, float begin, float end)
+bool ew_is_near_edge_of_ball(const ew_medium_block body, const ew_body_ray ray, const float begin, const float end)
 {
     float k = max(ew_length_squared(ray.step), 1e-30);
     float middle = -dot(ray.place, ray.step) / k;
@@ -54,7 +54,7 @@ bool ew_is_near_edge_of_ball(ew_medium_block body, ew_body_ray ray, float begin,
     return is_on_ray && abs(length(ray.place + middle * ray.step) - 1.0) < error;
 }
 
-bool ew_is_near_edge(ew_segment segment)
+bool ew_is_near_edge(const ew_segment segment)
 {
     bool is_near = false;
     for (int i = 0; i < EW_MEDIUM_ROOM && i < ew_fog.bodies.x; ++i) {

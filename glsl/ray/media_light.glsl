@@ -6,7 +6,7 @@ const int EW_MAX_LIGHT_PANELS = 64;
 #endif
 
 // The integral of the transmittance over a leg of the ray that was entered, from `from` to `to`, from where it begins.
-float ew_integrate_transmittance(float from, float to)
+float ew_integrate_transmittance(float from, const float to)
 {
 #ifdef EW_FOG_HEIGHT
     // By Gauss's rule, panel by panel.
@@ -30,7 +30,7 @@ float ew_integrate_transmittance(float from, float to)
 }
 
 // rgb: the light of the media along a segment, a: the share of what is behind it that they stop.
-vec4 ew_integrate_media(ew_segment segment)
+vec4 ew_integrate_media(const ew_segment segment)
 {
     ew_enter_fog(segment);
     ew_enter_media(segment);

@@ -110,7 +110,7 @@ vec2 ew_find_core(const float b2, const float k, const float s0, const vec4 glow
 }
 #endif
 
-#ifdef EW_FOG
+#if defined(EW_FOG) || defined(EW_WORLD)
 // The same, whether cores are as wide as pixels or not.
 vec2 ew_core_of(const float b2, const float k, const float s0, const vec4 glow)
 {
@@ -181,12 +181,7 @@ float ew_integrate_floored_reciprocal(const float b2, const float k, const float
                                       const vec4 glow)
 {
     vec2 y = vec2(from, to) - s0;
-#ifdef EW_CORE_PIXELS
-    vec2 core = ew_find_core(b2, k, s0, glow);
-#else
-    float half_core = sqrt(max(glow.x * glow.x - b2, 0.0) / k);
-    vec2 core = vec2(-half_core, half_core);
-#endif
+    vec2 core = ew_core_of(b2, k, s0, glow);
     float sides = ew_integrate_outside(b2, k, y, core);
     vec2 inside = clamp(core, y.xx, y.yy);
     return sides + ew_integrate_core(s0 + inside.x, s0 + inside.y, glow);

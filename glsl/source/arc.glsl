@@ -23,6 +23,7 @@ struct ew_arc {
     bool has_vertex; // the vertex is inside the arc
     float arm;       // the arm that is nearest: 1 or -1, the sign of its tau; 0: the one on the ray's side of the vertex
     float mean_weight;
+    float share; // of the arc's light that is left in a path, where its pieces and joints cancel
     vec4 glow;
     float center; // the ray's s at which `start` is
 #ifdef EW_WEIGHTS
@@ -54,6 +55,7 @@ ew_arc ew_make_arc(const ew_segment segment, const ew_curve_block curve)
     arc.has_vertex = arc.has_arms && arc.first < 0.0 && arc.last > 0.0;
     arc.arm = arc.has_arms && arc.last <= 0.0 ? -1.0 : 1.0;
     arc.mean_weight = ew_mean_weight(curve);
+    arc.share = 1.0;
     arc.glow = curve.glow;
     arc.center = 0.0;
 #ifdef EW_WEIGHTS

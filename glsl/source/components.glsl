@@ -45,3 +45,20 @@ float ew_piece_count(const ew_curve_block curve)
 {
     return curve.domain.w;
 }
+
+// Whether the pieces of a path are bent. A shader for a part of the sources is for paths of either kind and draws no others, and
+// compilers leave out what a literal condition does.
+#ifndef EW_PART
+#define EW_HAS_BENDS(path) (path.pieces.z != 0.0)
+#elif defined(EW_BENDS)
+#define EW_HAS_BENDS(path) true
+#else
+#define EW_HAS_BENDS(path) false
+#endif
+
+#ifdef EW_PART
+bool ew_is_of_part(const ew_path_block path)
+{
+    return EW_HAS_BENDS(path) == (path.pieces.z != 0.0);
+}
+#endif

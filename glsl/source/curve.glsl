@@ -151,7 +151,7 @@ float ew_integrate_stretch(const ew_arc arc, const ew_approaches approaches, con
     reciprocal += ew_integrate_reciprocal(passage.b2, passage.k, passage.s0, passage.core.y, part.y);
 #endif
     float light = sum + max(passage.weight, 0.02 * arc.mean_weight) * max(reciprocal, 0.0);
-    float allowance = ew_tolerance() * (light + EW_OTHERS_SHARE * others);
+    float allowance = ew_tolerance() * (arc.share * light + EW_OTHERS_SHARE * others);
     float rest = 0.0;
     if (part.x < part.y) rest = ew_integrate_rest(arc, passage, part.x, part.y, allowance);
     return passage.weight * reciprocal + rest;
@@ -169,7 +169,7 @@ float ew_integrate_stretch(const ew_arc arc, const ew_approaches approaches, con
 #endif
     float reciprocal = ew_integrate_by_rule(passage.b2, passage.k, passage.s0, part, arc.glow);
     float light = sum + max(passage.weight, 0.02 * arc.mean_weight) * max(reciprocal, 0.0);
-    float allowance = ew_tolerance() * (light + EW_OTHERS_SHARE * others);
+    float allowance = ew_tolerance() * (arc.share * light + EW_OTHERS_SHARE * others);
     float rest = 0.0;
     if (part.x < part.y) rest = ew_integrate_rest(arc, passage, part.x, part.y, allowance);
     return passage.weight * reciprocal + rest;

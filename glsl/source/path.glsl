@@ -7,12 +7,16 @@
 float ew_integrate(const ew_segment segment, const ew_path_block path, const vec2 chord, const float others)
 {
     float sum = 0.0;
-#ifdef EW_JOINTS
-    if (path.pieces.y == 0.0) sum = ew_integrate_beam(segment, path, chord);
-    else if (path.pieces.z == 0.0) sum = ew_integrate_polyline(segment, path, chord);
-#ifdef EW_BENDS
-    else sum = ew_integrate_bends(segment, path, chord, others);
+#ifdef EW_PART
+    if (!ew_is_of_part(path)) return sum;
 #endif
+#ifdef EW_BENDS
+    if (EW_HAS_BENDS(path)) sum = ew_integrate_bends(segment, path, chord, others);
+    else if (path.pieces.y > 0.0) sum = ew_integrate_polyline(segment, path, chord);
+    else sum = ew_integrate_beam(segment, path, chord);
+#elif defined(EW_JOINTS)
+    if (path.pieces.y > 0.0) sum = ew_integrate_polyline(segment, path, chord);
+    else sum = ew_integrate_beam(segment, path, chord);
 #else
     sum = ew_integrate_beam(segment, path, chord);
 #endif

@@ -1,6 +1,9 @@
 // Paths with bent pieces.
 
 #ifdef EW_BENDS
+// The least share of a closed path's light that errors are compared with: rounding is not much less.
+const float EW_LEAST_SHARE = 0.01;
+
 vec3 ew_place_at(const ew_curve_block curve, const float tau)
 {
     return curve.origin.xyz + ew_slope_x(curve) * tau * curve.axis_x.xyz +
@@ -11,7 +14,14 @@ vec3 ew_place_at(const ew_curve_block curve, const float tau)
 vec2 ew_chord_of_piece(const ew_segment segment, const ew_path_block path, const int i, vec2 chord)
 {
 #ifdef EW_REACH
-    if (ew_has_reach(path.glow)) chord = clamp(ew_chord(segment, ew_bent_piece(path, i)), chord.x, chord.y);
+    if (ew_has_reach(path.glow)) {
+        // The search goes on one beyond the last piece.
+        int piece = min(i, int(path.pieces.y) - 1);
+        vec4 ball = ew_piece_unit(path, 7.0, piece, 5);
+        vec4 along = ew_piece_unit(path, 7.0, piece, 6);
+        float reach = path.glow.y;
+        chord = clamp(ew_capsule_chord(segment, ball.xyz, along.xyz, ball.w + reach, along.w + reach), chord.x, chord.y);
+    }
 #endif
     return chord;
 }
@@ -36,6 +46,11 @@ float ew_integrate_bends(const ew_segment segment, const ew_path_block path, con
 {
     int count = int(path.pieces.y);
     bool is_closed = path.pieces.w > 0.0;
+    // A closed path has as many joints as pieces: of its light, seen from beyond its ball, about as much is left as its size is of
+    // the distance.
+    float size2 = path.ball.w * path.ball.w * ew_length_squared(segment.direction);
+    float away2 = max(ew_length_squared(cross(path.ball.xyz - segment.origin, segment.direction)), 1e-30);
+    float share = mix(1.0, clamp(sqrt(size2 / away2), EW_LEAST_SHARE, 1.0), is_closed);
     vec2 start = chord.xx; // of a closed path, the part to which its start is nearest
     vec2 last = chord.xx;
     vec3 end = vec3(0.0);
@@ -43,13 +58,14 @@ float ew_integrate_bends(const ew_segment segment, const ew_path_block path, con
     float sum = 0.0;
     bool has_start = false; // the ray does not miss the first piece
     int done = 0;
-    int i = 0;
+    int i = ew_find_piece(segment, path, 0, chord);
+    // The next piece is looked for before the loop ends, so that a software rasteriser does not go through it for nothing.
     do {
-        i = ew_find_piece(segment, path, i, chord);
         if (i < count) {
-            vec4 domain = ew_piece_unit(path, 5.0, i, 4);
+            vec4 domain = ew_piece_unit(path, 7.0, i, 4);
             ew_curve_block curve = ew_bent_piece(path, i);
             ew_arc arc = ew_make_arc(segment, curve);
+            arc.share = share;
 #ifdef EW_WEIGHTS
             arc.place = domain.z;
             arc.place_slope = domain.w - domain.z;
@@ -70,6 +86,7 @@ float ew_integrate_bends(const ew_segment segment, const ew_path_block path, con
             last_weight = ew_path_weight(path, domain.w);
             end = ew_place_at(curve, arc.last);
             done = ++i;
+            i = ew_find_piece(segment, path, i, chord);
         }
     } while (i < count && i < EW_MAX_PATH_PIECES);
     bool has_end = done == count && (has_start || !is_closed);

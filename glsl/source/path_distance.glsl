@@ -12,7 +12,7 @@ float ew_sample_straight(const ew_path_block path, const vec4 start, const vec4 
 #ifdef EW_BENDS
 float ew_sample_bent(const ew_path_block path, const int i, const vec3 position, const float s, out vec4 start)
 {
-    vec4 domain = ew_piece_unit(path, 5.0, i, 4);
+    vec4 domain = ew_piece_unit(path, 7.0, i, 4);
     ew_polynomial_curve polynomial = ew_make_polynomial_curve(ew_bent_piece(path, i));
     float tau;
     float distance_squared = ew_nearest_on_curve(polynomial, position, tau);

@@ -20,14 +20,17 @@ vec4 ew_piece_unit(const ew_path_block path, const float units, const int i, con
 }
 
 #ifdef EW_BENDS
-// The i-th piece of a path, as a curve.
+// The i-th piece of a path, as a curve. A loop, because some compilers put a dozen branches into the shader for every read.
 ew_curve_block ew_bent_piece(const ew_path_block path, const int i)
 {
-    vec4 origin = ew_piece_unit(path, 5.0, i, 0);
-    vec4 axis_x = ew_piece_unit(path, 5.0, i, 1);
-    vec4 axis_y = ew_piece_unit(path, 5.0, i, 2);
-    vec4 axis_z = ew_piece_unit(path, 5.0, i, 3);
-    vec4 domain = ew_piece_unit(path, 5.0, i, 4);
+    vec4 origin = vec4(0.0), axis_x = origin, axis_y = origin, axis_z = origin, domain = origin;
+    for (int unit = 0; unit < 5; ++unit) {
+        origin = axis_x;
+        axis_x = axis_y;
+        axis_y = axis_z;
+        axis_z = domain;
+        domain = ew_piece_unit(path, 7.0, i, unit);
+    }
     return ew_curve_block(vec4(origin.xyz, path.weights.z), axis_x, axis_y, axis_z, vec4(domain.xy, path.weights.xy),
                           path.color, path.glow);
 }

@@ -97,9 +97,7 @@ float ew_integrate_weighted_part(const ew_segment segment, const ew_slab slab, v
     vec3 polynomial = vec3(weight_by_t.x + base * (weight_by_t.y + base * weight_by_t.z),
                            slope * (weight_by_t.y + 2.0 * base * weight_by_t.z), slope * slope * weight_by_t.z);
     // The core, in which the weight over its radius is smooth.
-    float core2 = ew_core2(glow, clamp(s0, part.x, part.y));
-    float half_core = sqrt(max(core2 - b2, 0.0) / k);
-    vec2 core = vec2(clamp(s0 - half_core, part.x, part.y), clamp(s0 + half_core, part.x, part.y));
+    vec2 core = clamp(s0 + ew_core_of(b2, k, s0, glow), part.x, part.y);
     vec4 s = core.x + (core.y - core.x) * EW_PATH_NODES;
     vec4 y = s - s0;
     vec4 weight = polynomial.x + y * (polynomial.y + y * polynomial.z);

@@ -2,7 +2,8 @@
 #ifndef EW_BINDING_POINTS_H
 #define EW_BINDING_POINTS_H
 
-/* The units of textures and their samplers: the opaque depth, the sources, and the grid of adaptive resolution. */
+/* The units of textures and their samplers: the opaque depth, the sources, the grid of adaptive resolution, and
+ * the light that is summed up. */
 enum {
     EW_GL_DEPTH_TEXTURE_UNIT,
     EW_GL_SOURCE_TEXTURE_UNIT,
@@ -12,6 +13,7 @@ enum {
     EW_GL_CELL_TEXTURE_UNIT,
     EW_GL_BLOCK_TEXTURE_UNIT, /* while there are no blocks yet, the peak of the nodes */
     EW_GL_TEXTURE_UNIT_COUNT,
+    EW_GL_LIGHT_TEXTURE_UNIT = EW_GL_FIELD_TEXTURE_UNIT, /* of parts, once a grid has its classes */
     EW_GL_NORMAL_TEXTURE_UNIT = EW_GL_NODE_TEXTURE_UNIT, /* of surfaces, which have no grid */
 };
 

@@ -30,6 +30,7 @@ void ew_device_destroy(ew_device *device)
     for (int pass = 0; pass < EW_PASS_COUNT; ++pass)
         ew_program_cache_destroy(&device->programs[pass], gl);
     ew_grid_destroy(&device->grid, gl);
+    ew_light_sum_destroy(&device->light_sum, gl);
     ew_source_texture_destroy(&device->source_texture, gl);
     ew_depth_copy_destroy(&device->depth_copy, gl);
     gl->DeleteSamplers(1, &device->depth_sampler);
@@ -86,39 +87,6 @@ ew_result ew_upload(const ew_device *device, const ew_plan *plan, ew_error *erro
 
 /* ---- Drawing ---- */
 
-static void draw_quad(void *user)
-{
-    const ew_drawing *drawing = user;
-    drawing->gl->DrawArrays(GL_TRIANGLE_STRIP, drawing->is_ahead ? EW_QUAD_VERTICES : 0, EW_QUAD_VERTICES);
-}
-
-static void draw_every_pixel(ew_drawing *drawing)
-{
-    const GLuint program = drawing->programs.names[drawing->plan->pass];
-    drawing->gl->UseProgram(program);
-    ew_gl_set_viewport(drawing->gl, &drawing->plan->lit);
-    if (drawing->depth->samples > 0)
-        ew_draw_samples(drawing->gl, program, drawing->depth->samples, draw_quad, drawing);
-    else
-        draw_quad(drawing);
-}
-
-/* Draws the plan on a grid. Returns false if the context has no grids; then nothing is drawn. */
-static bool draw_on_grid(ew_grid *grid, const ew_drawing *drawing, ew_gl_state *state)
-{
-    const ew_gl *gl = drawing->gl;
-    const ew_target *target = &drawing->plan->target;
-    ew_gl_begin_grid(gl, state);
-    bool is_filled = ew_grid_fill(grid, drawing);
-    gl->BindFramebuffer(GL_DRAW_FRAMEBUFFER, target->framebuffer);
-    ew_gl_set_blend(gl, target->blend != EW_BLEND_REPLACE);
-    ew_gl_clip_to(gl, state, &drawing->plan->lit);
-    if (is_filled) ew_grid_draw(grid, drawing);
-    return is_filled;
-}
-
-/* ---- Plans ---- */
-
 /* The state in which the plan is drawn. Its shader's alpha is min(1, B). */
 static ew_gl_draw_state draw_state(const ew_target *target)
 {
@@ -143,6 +111,59 @@ static ew_gl_draw_state draw_state(const ew_target *target)
         .keep_stencil_test = target->keeps_stencil_test,
     };
 }
+
+static void draw_quad(void *user, GLint surface_rank)
+{
+    const ew_drawing *drawing = user;
+    (void)surface_rank;
+    drawing->gl->DrawArrays(GL_TRIANGLE_STRIP, drawing->is_ahead ? EW_QUAD_VERTICES : 0, EW_QUAD_VERTICES);
+}
+
+static void draw_every_pixel(const ew_drawing *drawing)
+{
+    const GLuint program = drawing->programs.names[drawing->plan->pass];
+    if (!ew_draws_with(drawing, program)) return;
+    drawing->gl->UseProgram(program);
+    ew_gl_set_viewport(drawing->gl, &drawing->plan->lit);
+    if (drawing->depth->samples > 0)
+        ew_draw_samples(drawing->gl, program, drawing->depth->samples, draw_quad, (void *)drawing);
+    else
+        draw_quad((void *)drawing, 0);
+}
+
+static void draw_part(void *user, int part)
+{
+    const ew_drawing *drawing = user;
+    const ew_viewport *lit = &drawing->plan->lit;
+    const GLuint program = drawing->parts[part].names[drawing->plan->pass];
+    if (!ew_draws_with(drawing, program)) return;
+    drawing->gl->UseProgram(program);
+    ew_gl_set_viewport(drawing->gl, &(ew_viewport){0, 0, lit->width, lit->height});
+    draw_quad((void *)drawing, 0);
+}
+
+/* Draws a plan on a grid, or in parts, or both: what needs targets of floats first. Returns false if the context has none of
+ * these; then nothing is drawn. */
+static bool draw_by_textures(ew_device *device, const ew_drawing *drawing, bool on_grid, ew_gl_state *state)
+{
+    const ew_gl *gl = drawing->gl;
+    const ew_viewport *lit = &drawing->plan->lit;
+    const ew_gl_draw_state wanted = draw_state(&drawing->plan->target);
+    ew_gl_begin_grid(gl, state);
+    bool is_filled = !on_grid || ew_grid_fill(&device->grid, drawing);
+    if (is_filled && drawing->part_count > 0)
+        is_filled = on_grid ? ew_grid_sum(&device->light_sum, drawing)
+                            : ew_light_sum_fill(&device->light_sum, gl, lit->width, lit->height, drawing->part_count, draw_part,
+                                                (void *)drawing);
+    gl->BindFramebuffer(GL_DRAW_FRAMEBUFFER, wanted.framebuffer);
+    ew_gl_set_blending(gl, &wanted);
+    ew_gl_clip_to(gl, state, lit);
+    if (is_filled && on_grid) ew_grid_draw(&device->grid, drawing);
+    if (is_filled && !on_grid) draw_every_pixel(drawing);
+    return is_filled;
+}
+
+/* ---- Plans ---- */
 
 /* What the context can tell of a plan's names before any state is touched. */
 static ew_result check_names(const ew_gl *gl, const ew_plan *plan, ew_error *error)
@@ -189,6 +210,7 @@ typedef struct plan_task {
 typedef struct prepared_plan {
     ew_drawing drawing;
     ew_key key;
+    ew_key part_keys[EW_PART_COUNT];
     ew_depth_kind depth;
     bool on_grid;
 } prepared_plan;
@@ -204,23 +226,61 @@ static ew_result find_program(ew_device *device, const plan_task *task, ew_pass 
     return ew_program_prepare(cache, &device->gl, task->allocator, pass_key, name, steps_left, error);
 }
 
-/* Finds the programs of all passes of a plan, and adds to `steps_left`. Where plans are prepared, takes a step towards each of
- * them if the driver compiles on its own threads, and else towards the first of all that is not ready. */
-static ew_result find_programs(ew_device *device, const plan_task *task, prepared_plan *prepared, int *steps_left,
+/* How far programs are that are prepared. */
+typedef struct ahead_progress {
+    int steps_left;
+    bool has_stepped;  /* in this call */
+    ew_pass next_pass; /* of the first program that is ready and has not drawn yet, */
+    GLuint next;       /* if there is one; else 0 */
+} ahead_progress;
+
+/* Finds one program of many. Where plans are prepared, takes a step towards it if the driver compiles on its own threads, or if
+ * it is the first of all that has not drawn. */
+static ew_result find_next_program(ew_device *device, const plan_task *task, ew_pass pass, ew_key key, GLuint *name,
+                                   ahead_progress *progress, ew_error *error)
+{
+    const ew_program_cache *cache = &device->programs[pass];
+    const ew_key pass_key = ew_permutation_of_pass(pass, key);
+    const bool has_drawn = !task->steps_left || ew_program_steps(cache, pass_key) == 0;
+    if (has_drawn || !progress->has_stepped || device->gl.parallel_shader_compile) {
+        int unused;
+        ew_result result = find_program(device, task, pass, key, name, &unused, error);
+        if (result != EW_OK || has_drawn) return result;
+        progress->has_stepped = true;
+    }
+    if (*name && !progress->next) {
+        progress->next_pass = pass;
+        progress->next = *name;
+    } else {
+        progress->steps_left += ew_program_steps(cache, pass_key);
+    }
+    return EW_OK;
+}
+
+/* Finds the programs of a pass: of one that integrates parts, one for each, and one for their sum where that is seen. */
+static ew_result find_programs_of(ew_device *device, const plan_task *task, prepared_plan *prepared, ew_pass pass,
+                                  ahead_progress *progress, ew_error *error)
+{
+    ew_drawing *drawing = &prepared->drawing;
+    const bool is_seen = pass == drawing->plan->pass || pass == EW_PASS_CELLS;
+    const bool has_parts = drawing->part_count > 0 && (is_seen || pass == EW_PASS_NODES);
+    ew_result result = EW_OK;
+    for (int part = 0; has_parts && part < drawing->part_count && result == EW_OK; ++part)
+        result = find_next_program(device, task, pass, prepared->part_keys[part], &drawing->parts[part].names[pass], progress,
+                                   error);
+    if (result != EW_OK || (has_parts && !is_seen)) return result;
+    const ew_key key = has_parts ? ew_permutation_summed(prepared->key) : prepared->key;
+    return find_next_program(device, task, pass, key, &drawing->programs.names[pass], progress, error);
+}
+
+/* Finds the programs of all passes of a plan. */
+static ew_result find_programs(ew_device *device, const plan_task *task, prepared_plan *prepared, ahead_progress *progress,
                                ew_error *error)
 {
-    const ew_key key = prepared->key;
-    ew_drawing *drawing = &prepared->drawing;
     for (int pass = 0; pass < EW_PASS_COUNT; ++pass) {
-        if (prepared->on_grid ? !ew_pass_is_of_grid((ew_pass)pass) : (ew_pass)pass != drawing->plan->pass) continue;
-        if (*steps_left > 0 && !device->gl.parallel_shader_compile) {
-            *steps_left += ew_program_steps(&device->programs[pass], ew_permutation_of_pass((ew_pass)pass, key));
-            continue;
-        }
-        int steps;
-        ew_result result = find_program(device, task, (ew_pass)pass, key, &drawing->programs.names[pass], &steps, error);
+        if (prepared->on_grid ? !ew_pass_is_of_grid((ew_pass)pass) : (ew_pass)pass != prepared->drawing.plan->pass) continue;
+        ew_result result = find_programs_of(device, task, prepared, (ew_pass)pass, progress, error);
         if (result != EW_OK) return result;
-        *steps_left += steps;
     }
     return EW_OK;
 }
@@ -230,11 +290,12 @@ static ew_result draw_bound(ew_device *device, const plan_task *task, prepared_p
                             ew_error *error)
 {
     ew_drawing *drawing = &prepared->drawing;
-    if (prepared->on_grid && draw_on_grid(&device->grid, drawing, state)) return EW_OK;
-    if (prepared->on_grid) {
-        GLuint *name = &drawing->programs.names[EW_PASS_WAVE];
+    const bool by_textures = prepared->on_grid || drawing->part_count > 0;
+    if (by_textures && draw_by_textures(device, drawing, prepared->on_grid, state)) return EW_OK;
+    if (by_textures) {
+        const ew_pass pass = drawing->plan->pass;
         int steps_left;
-        ew_result result = find_program(device, task, EW_PASS_WAVE, prepared->key, name, &steps_left, error);
+        ew_result result = find_program(device, task, pass, prepared->key, &drawing->programs.names[pass], &steps_left, error);
         if (result != EW_OK || steps_left > 0) return result;
     }
     draw_every_pixel(drawing);
@@ -269,6 +330,35 @@ static ew_result draw(ew_device *device, const plan_task *task, prepared_plan *p
     return result;
 }
 
+/* Whether the shaders of parts are ready that draw all of a plan. */
+static bool are_parts_ready(const ew_device *device, const prepared_plan *prepared, ew_pass pass, int part_count)
+{
+    const ew_program_cache *cache = &device->programs[pass];
+    bool are_ready = ew_program_is_ready(cache, ew_permutation_of_pass(pass, ew_permutation_summed(prepared->key)));
+    for (int part = 0; part < part_count; ++part)
+        are_ready = are_ready && ew_program_is_ready(cache, ew_permutation_of_pass(pass, prepared->part_keys[part]));
+    return are_ready;
+}
+
+/* Divides a plan into parts, if one shader would be long; or if it has none yet, but those of the parts are ready: a host may
+ * have prepared a mix of which these sources are a few. */
+static void divide(const ew_device *device, const plan_task *task, prepared_plan *prepared)
+{
+    const ew_pass pass = prepared->on_grid ? EW_PASS_CELLS : prepared->drawing.plan->pass;
+    int part_count = 0;
+    if (pass == EW_PASS_MEDIA || !device->gl.float_sums || device->light_sum.is_refused ||
+        !ew_permutation_can_be_split(prepared->key))
+        return;
+    for (int part = 0; part < EW_PART_COUNT; ++part)
+        if (ew_permutation_has_part(prepared->key, (ew_part)part))
+            prepared->part_keys[part_count++] = ew_permutation_of_part(prepared->key, (ew_part)part);
+    if (part_count == 0) prepared->part_keys[part_count++] = ew_permutation_of_part(prepared->key, EW_PART_STRAIGHT);
+    const ew_key whole = ew_permutation_of_pass(pass, prepared->key);
+    if (ew_permutation_is_split(prepared->key) || (!task->steps_left && !ew_program_is_ready(&device->programs[pass], whole) &&
+                                                   are_parts_ready(device, prepared, pass, part_count)))
+        prepared->drawing.part_count = part_count;
+}
+
 static prepared_plan prepare(const ew_device *device, const plan_task *task, const ew_plan *plan)
 {
     const ew_gl *gl = &device->gl;
@@ -277,7 +367,27 @@ static prepared_plan prepare(const ew_device *device, const plan_task *task, con
                               .on_grid = plan->is_adaptive && gl->float_targets && !device->grid.is_refused};
     prepared.key = ew_permutation_with_depth(plan->permutation, prepared.depth);
     if (plan->source_units > ew_gl_dialect(gl).capacity) prepared.key |= EW_PERMUTATION_SOURCE_TEXTURE;
+    divide(device, task, &prepared);
     return prepared;
+}
+
+/* Draws the plans; ahead, only with a program that is ready and has not drawn yet. If all have, each draws: it may have been in
+ * another context. */
+static ew_result draw_plans(ew_device *device, const plan_task *task, prepared_plan *prepared, const ahead_progress *progress,
+                            ew_gl_state *state, ew_error *error)
+{
+    ew_result result = EW_OK;
+    const bool draws = progress->next || progress->steps_left == 0;
+    for (int i = 0; draws && i < task->plan_count && result == EW_OK; ++i) {
+        const ew_gl_draw_state wanted = draw_state(&task->plans[i]->target);
+        ew_gl_set_blending(&device->gl, &wanted);
+        prepared[i].drawing.only = progress->next;
+        result = draw(device, task, &prepared[i], state, error);
+    }
+    if (result != EW_OK || !task->steps_left) return result;
+    if (progress->next) ew_program_set_drawn(&device->programs[progress->next_pass], progress->next);
+    *task->steps_left = progress->steps_left;
+    return EW_OK;
 }
 
 /* The programs of all plans come before the first is drawn, so that a shader that fails leaves no half of a picture; but for
@@ -286,24 +396,18 @@ static ew_result draw_in_state(ew_device *device, const plan_task *task, ew_gl_s
 {
     const ew_gl *gl = &device->gl;
     const ew_target *target = &task->plans[0]->target;
-    ew_gl_draw_state wanted = draw_state(target);
+    const ew_gl_draw_state wanted = draw_state(target);
     ew_gl_set_draw_state(gl, state, &wanted);
     if (gl->CheckFramebufferStatus(GL_DRAW_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
         return ew_fail(error, EW_ERROR_OPENGL, "framebuffer %u is not complete", target->framebuffer);
     ew_result result = ew_target_check(gl, target, error);
-    int steps_left = 0;
+    ahead_progress progress = {0};
     prepared_plan prepared[EW_MAX_PLANS];
     for (int i = 0; i < task->plan_count && result == EW_OK; ++i) {
         prepared[i] = prepare(device, task, task->plans[i]);
-        result = find_programs(device, task, &prepared[i], &steps_left, error);
+        result = find_programs(device, task, &prepared[i], &progress, error);
     }
-    for (int i = 0; i < task->plan_count && result == EW_OK && steps_left == 0; ++i) {
-        wanted = draw_state(&task->plans[i]->target);
-        ew_gl_set_blending(gl, &wanted);
-        result = draw(device, task, &prepared[i], state, error);
-    }
-    if (result == EW_OK && task->steps_left) *task->steps_left = steps_left;
-    return result;
+    return result == EW_OK ? draw_plans(device, task, prepared, &progress, state, error) : result;
 }
 
 static ew_result execute(ew_device *device, const plan_task *task, ew_error *error)

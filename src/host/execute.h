@@ -15,6 +15,7 @@ typedef struct ew_device {
     ew_program_cache programs[EW_PASS_COUNT];
     ew_depth_copy depth_copy;
     ew_grid grid;
+    ew_light_sum light_sum;
     ew_source_texture source_texture;
     GLuint depth_sampler; /* reads depth as it is, whatever the texture's own parameters say */
     GLuint uniform_buffer, list_buffer;
@@ -36,8 +37,8 @@ enum { EW_MAX_PLANS = 2 };
 ew_result ew_execute(ew_device *device, const ew_plan *const *plans, int plan_count, const ew_allocator *allocator,
                      ew_error *error);
 
-/* Takes one step towards a draw that does not wait, and says how many are left. Once the programs are ready, the last step
- * draws the plans outside of the view: some drivers finish shaders only in a first draw. */
+/* Takes one step towards a draw that does not wait, and says how many are left. The last step of each program is a draw outside
+ * of the view: some drivers finish shaders only in a first draw. */
 ew_result ew_execute_ahead(ew_device *device, const ew_plan *const *plans, int plan_count, const ew_allocator *allocator,
                            int *steps_left, ew_error *error);
 

@@ -239,12 +239,14 @@ ew_result ew_gl_load(ew_gl *gl, ew_gl_function (*get_proc_address)(void *user, c
     gl->software = ew_gl_is_software((const char *)gl->GetString(GL_RENDERER));
     GLfloat point_sizes[2] = {0, 0};
     gl->GetFloatv(gl->es ? ES_ALIASED_POINT_SIZE_RANGE : GL_POINT_SIZE_RANGE, point_sizes);
-    gl->float_targets = point_sizes[1] >= EW_CELL_SIZE * EW_BLOCK_CELLS &&
-                        (!gl->es || gl->version >= 32 || has_extension(gl, "GL_EXT_color_buffer_float"));
+    bool draws_floats = !gl->es || gl->version >= 32 || has_extension(gl, "GL_EXT_color_buffer_float");
+    gl->float_targets = point_sizes[1] >= EW_CELL_SIZE * EW_BLOCK_CELLS && draws_floats;
+    gl->float_sums = draws_floats && (!gl->es || has_extension(gl, "GL_EXT_float_blend"));
     gl->clip_control = has_clip_control(gl, &loader);
     if (gl->clip_control) load_clip_control(gl, &loader, gl->es ? "EXT" : "");
     if (loader.missing_count > 0) return fail_missing(&loader, error);
     gl->framebuffer_srgb = !gl->es || has_extension(gl, "GL_EXT_sRGB_write_control");
+    gl->sample_mask = gl->version >= (gl->es ? 32 : 40);
     gl->multisample = !gl->es || has_extension(gl, "GL_EXT_multisample_compatibility");
     gl->layered_framebuffers = !gl->es || gl->version >= 32 || has_extension(gl, "GL_OES_geometry_shader") ||
                                has_extension(gl, "GL_EXT_geometry_shader");

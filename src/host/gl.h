@@ -153,7 +153,9 @@ typedef struct ew_gl {
     GLint max_viewport[2];     /* width and height */
     bool clip_control;         /* the host may have moved the clip origin */
     bool float_targets;        /* textures of floats can be drawn to, and points be as large as a block of the grid */
+    bool float_sums;           /* textures of floats can be drawn to, with blending */
     bool framebuffer_srgb;     /* GL_FRAMEBUFFER_SRGB can be enabled and disabled */
+    bool sample_mask;          /* shaders know gl_SampleMask */
     bool multisample;          /* GL_MULTISAMPLE can be enabled and disabled */
     bool layered_framebuffers; /* a whole array of images can be attached */
     bool multiview;            /* the same by OVR_multiview */

@@ -85,20 +85,18 @@ static void bind(const ew_gl *gl, int unit, GLuint texture)
     gl->BindSampler((GLuint)unit, 0);
 }
 
-/* Sets the width of the patches, in cells, of a pass whose program is in use. */
-static void set_stride(const ew_drawing *drawing, ew_pass pass, int stride)
+/* Sets the width of the patches, in cells, of the program in use. */
+static void set_stride(const ew_gl *gl, GLuint program, int stride)
 {
-    const ew_gl *gl = drawing->gl;
-    gl->Uniform1i(gl->GetUniformLocation(drawing->programs.names[pass], "ew_stride"), stride);
+    gl->Uniform1i(gl->GetUniformLocation(program, "ew_stride"), stride);
 }
 
-/* Uses a program that reads the depth's samples up to `end`, if depth has samples. */
-static void use_with_samples(const ew_drawing *drawing, ew_pass pass, GLint end)
+/* Uses a program that reads the depth's samples up to `end` as one surface, if depth has samples. */
+static void use_with_samples(const ew_drawing *drawing, GLuint program, GLint end)
 {
     const ew_gl *gl = drawing->gl;
-    GLuint program = drawing->programs.names[pass];
     gl->UseProgram(program);
-    if (drawing->depth->samples > 0) gl->Uniform2i(gl->GetUniformLocation(program, "ew_samples"), 0, end);
+    if (drawing->depth->samples > 0) ew_choose_samples(gl, program, 0, end, EW_ONE_SURFACE);
 }
 
 /* Draws a quad over the first `size` texels of a texture of the grid. */
@@ -110,11 +108,43 @@ static void fill(const ew_drawing *drawing, GLuint texture, extent size)
     gl->DrawArrays(GL_TRIANGLE_STRIP, drawing->is_ahead ? EW_QUAD_VERTICES : 0, EW_QUAD_VERTICES);
 }
 
-/* Finds the peak of the nodes, and returns the texture whose first texel it is. */
-static GLuint fill_peaks(const ew_grid *grid, const ew_drawing *drawing, extent nodes)
+/* Fills both textures of nodes, or adds to them. */
+static void fill_nodes(const ew_grid *grid, const ew_drawing *drawing, extent size, GLuint program)
+{
+    const ew_gl *gl = drawing->gl;
+    if (!ew_draws_with(drawing, program)) return;
+    use_with_samples(drawing, program, 1);
+    const GLint offset = gl->GetUniformLocation(program, "ew_node_offset");
+    gl->Uniform1i(offset, 0);
+    fill(drawing, grid->nodes, size);
+    gl->Uniform1i(offset, EW_CELL_SIZE / 2);
+    fill(drawing, grid->middles, size);
+}
+
+static void fill_nodes_with_all(const ew_grid *grid, const ew_drawing *drawing, extent size)
+{
+    if (drawing->part_count == 0) fill_nodes(grid, drawing, size, drawing->programs.names[EW_PASS_NODES]);
+    for (int part = 0; part < drawing->part_count; ++part) {
+        ew_gl_set_sum(drawing->gl, part > 0);
+        fill_nodes(grid, drawing, size, drawing->parts[part].names[EW_PASS_NODES]);
+    }
+    ew_gl_set_blend(drawing->gl, false);
+}
+
+static void fill_field(const ew_grid *grid, const ew_drawing *drawing, extent size)
+{
+    const GLuint program = drawing->programs.names[EW_PASS_FIELD];
+    if (!ew_draws_with(drawing, program)) return;
+    use_with_samples(drawing, program, 1);
+    fill(drawing, grid->field, size);
+}
+
+/* Finds the peak of the nodes, and binds the texture whose first texel it is. */
+static void fill_peaks(const ew_grid *grid, const ew_drawing *drawing, extent nodes)
 {
     const ew_gl *gl = drawing->gl;
     GLuint source = grid->nodes, program = drawing->programs.names[EW_PASS_PEAK];
+    if (!ew_draws_with(drawing, program)) return;
     GLint source_size = gl->GetUniformLocation(program, "ew_source_size");
     extent size = nodes;
     gl->UseProgram(program);
@@ -125,32 +155,33 @@ static GLuint fill_peaks(const ew_grid *grid, const ew_drawing *drawing, extent 
         source = grid->peaks[level];
         fill(drawing, source, size);
     }
-    return source;
+    bind(gl, EW_GL_BLOCK_TEXTURE_UNIT, source);
+}
+
+static void fill_classes(const ew_grid *grid, const ew_drawing *drawing, const grid_extents *extents)
+{
+    const ew_gl *gl = drawing->gl;
+    const GLuint program = drawing->programs.names[EW_PASS_CLASSES];
+    if (!ew_draws_with(drawing, program)) return;
+    use_with_samples(drawing, program, drawing->depth->samples);
+    set_stride(gl, program, 1);
+    fill(drawing, grid->cells, extents->cells);
+    bind(gl, EW_GL_CELL_TEXTURE_UNIT, grid->cells);
+    set_stride(gl, program, EW_BLOCK_CELLS);
+    fill(drawing, grid->blocks, extents->blocks);
 }
 
 static void fill_textures(const ew_grid *grid, const ew_drawing *drawing, const grid_extents *extents)
 {
     const ew_gl *gl = drawing->gl;
-    use_with_samples(drawing, EW_PASS_NODES, 1);
-    const GLint offset = gl->GetUniformLocation(drawing->programs.names[EW_PASS_NODES], "ew_node_offset");
-    gl->Uniform1i(offset, 0);
-    fill(drawing, grid->nodes, extents->nodes);
-    gl->Uniform1i(offset, EW_CELL_SIZE / 2);
-    fill(drawing, grid->middles, extents->nodes);
-    use_with_samples(drawing, EW_PASS_FIELD, 1);
-    fill(drawing, grid->field, extents->nodes);
-    GLuint peak = fill_peaks(grid, drawing, extents->nodes);
-
+    fill_nodes_with_all(grid, drawing, extents->nodes);
+    fill_field(grid, drawing, extents->nodes);
+    fill_peaks(grid, drawing, extents->nodes);
     bind(gl, EW_GL_NODE_TEXTURE_UNIT, grid->nodes);
     bind(gl, EW_GL_MIDDLE_TEXTURE_UNIT, grid->middles);
     bind(gl, EW_GL_FIELD_TEXTURE_UNIT, grid->field);
-    bind(gl, EW_GL_BLOCK_TEXTURE_UNIT, peak);
-    use_with_samples(drawing, EW_PASS_CLASSES, drawing->depth->samples);
-    set_stride(drawing, EW_PASS_CLASSES, 1);
-    fill(drawing, grid->cells, extents->cells);
+    fill_classes(grid, drawing, extents);
     bind(gl, EW_GL_CELL_TEXTURE_UNIT, grid->cells);
-    set_stride(drawing, EW_PASS_CLASSES, EW_BLOCK_CELLS);
-    fill(drawing, grid->blocks, extents->blocks);
 }
 
 bool ew_grid_fill(ew_grid *grid, const ew_drawing *drawing)
@@ -176,40 +207,77 @@ bool ew_grid_fill(ew_grid *grid, const ew_drawing *drawing)
 
 /* ---- Patches ---- */
 
-/* Draws patches that are `stride` cells wide with the program in use. The last ones may reach beyond the viewport; a point
- * behind them all lies outside of it. */
-static void draw_patches(const ew_drawing *drawing, extent patches, int stride)
+/* Draws patches that are `stride` cells wide, or with a stride of 0 quarters of cells, with the program in use, from the pixel
+ * (x, y) of the target on. The last ones may reach beyond the viewport; a point behind them all lies outside of it. */
+static void draw_patches(const ew_drawing *drawing, int x, int y, extent patches, int stride)
 {
-    const ew_viewport *viewport = &drawing->plan->lit;
-    int width = stride * EW_CELL_SIZE, count = patches.columns * patches.rows;
-    ew_gl_set_viewport(drawing->gl, &(ew_viewport){viewport->x, viewport->y, patches.columns * width, patches.rows * width});
+    int width = stride > 0 ? stride * EW_CELL_SIZE : EW_CELL_SIZE / 2, count = patches.columns * patches.rows;
+    ew_gl_set_viewport(drawing->gl, &(ew_viewport){x, y, patches.columns * width, patches.rows * width});
     drawing->gl->DrawArrays(GL_POINTS, drawing->is_ahead ? count : 0, drawing->is_ahead ? 1 : count);
 }
 
-static void draw_cells(void *user)
+/* Of torn cells, only the quarters that are torn can have pixels that see more than one surface. */
+static void draw_torn(void *user, GLint surface_rank)
 {
     const ew_drawing *drawing = user;
-    draw_patches(drawing, extents_of(&drawing->plan->lit).cells, 1);
+    const ew_viewport *lit = &drawing->plan->lit;
+    const GLuint program = drawing->programs.names[EW_PASS_CELLS];
+    const extent quarters = divide_up((extent){lit->width, lit->height}, EW_CELL_SIZE / 2);
+    int stride = surface_rank > 0 ? 0 : 1;
+    set_stride(drawing->gl, program, stride);
+    draw_patches(drawing, lit->x, lit->y, stride > 0 ? extents_of(lit).cells : quarters, stride);
+}
+
+/* Draws the light of a part. Single samples have no torn cells. */
+static void draw_cells_of_part(void *user, int part)
+{
+    const ew_drawing *drawing = user;
+    const ew_gl *gl = drawing->gl;
+    const GLuint program = drawing->parts[part].names[EW_PASS_CELLS];
+    if (!ew_draws_with(drawing, program)) return;
+    gl->UseProgram(program);
+    set_stride(gl, program, 1);
+    gl->Uniform1i(gl->GetUniformLocation(program, "ew_draws_torn"), 0);
+    draw_patches(drawing, 0, 0, extents_of(&drawing->plan->lit).cells, 1);
+}
+
+bool ew_grid_sum(ew_light_sum *sum, const ew_drawing *drawing)
+{
+    const extent cells = extents_of(&drawing->plan->lit).cells;
+    return ew_light_sum_fill(sum, drawing->gl, cells.columns * EW_CELL_SIZE, cells.rows * EW_CELL_SIZE, drawing->part_count,
+                             draw_cells_of_part, (void *)drawing);
+}
+
+static void draw_smooth_patches(const ew_grid *grid, const ew_drawing *drawing, GLuint program)
+{
+    const ew_gl *gl = drawing->gl;
+    const ew_viewport *lit = &drawing->plan->lit;
+    const grid_extents extents = extents_of(lit);
+    bind(gl, EW_GL_BLOCK_TEXTURE_UNIT, grid->blocks);
+    gl->UseProgram(program);
+    set_stride(gl, program, EW_BLOCK_CELLS);
+    draw_patches(drawing, lit->x, lit->y, extents.blocks, EW_BLOCK_CELLS);
+    set_stride(gl, program, 1);
+    draw_patches(drawing, lit->x, lit->y, extents.cells, 1);
+}
+
+static void draw_other_cells(const ew_drawing *drawing, GLuint program)
+{
+    const ew_gl *gl = drawing->gl;
+    const ew_viewport *lit = &drawing->plan->lit;
+    const GLint draws_torn = gl->GetUniformLocation(program, "ew_draws_torn");
+    use_with_samples(drawing, program, drawing->depth->samples);
+    set_stride(gl, program, 1);
+    gl->Uniform1i(draws_torn, 0);
+    draw_patches(drawing, lit->x, lit->y, extents_of(lit).cells, 1);
+    if (drawing->depth->samples == 0) return;
+    gl->Uniform1i(draws_torn, 1);
+    ew_draw_samples(gl, program, drawing->depth->samples, draw_torn, (void *)drawing);
 }
 
 void ew_grid_draw(const ew_grid *grid, const ew_drawing *drawing)
 {
-    const ew_gl *gl = drawing->gl;
-    const grid_extents extents = extents_of(&drawing->plan->lit);
-    bind(gl, EW_GL_BLOCK_TEXTURE_UNIT, grid->blocks);
-    gl->UseProgram(drawing->programs.names[EW_PASS_INTERPOLATION]);
-    set_stride(drawing, EW_PASS_INTERPOLATION, EW_BLOCK_CELLS);
-    draw_patches(drawing, extents.blocks, EW_BLOCK_CELLS);
-    set_stride(drawing, EW_PASS_INTERPOLATION, 1);
-    draw_patches(drawing, extents.cells, 1);
-
-    const GLuint program = drawing->programs.names[EW_PASS_CELLS];
-    const GLint draws_torn = gl->GetUniformLocation(program, "ew_draws_torn");
-    use_with_samples(drawing, EW_PASS_CELLS, 1);
-    set_stride(drawing, EW_PASS_CELLS, 1);
-    gl->Uniform1i(draws_torn, 0);
-    draw_patches(drawing, extents.cells, 1);
-    if (drawing->depth->samples == 0) return;
-    gl->Uniform1i(draws_torn, 1);
-    ew_draw_samples(gl, program, drawing->depth->samples, draw_cells, (void *)drawing);
+    const GLuint interpolation = drawing->programs.names[EW_PASS_INTERPOLATION], cells = drawing->programs.names[EW_PASS_CELLS];
+    if (ew_draws_with(drawing, interpolation)) draw_smooth_patches(grid, drawing, interpolation);
+    if (ew_draws_with(drawing, cells)) draw_other_cells(drawing, cells);
 }

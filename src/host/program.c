@@ -10,6 +10,7 @@
 ew_dialect ew_gl_dialect(const ew_gl *gl)
 {
     return (ew_dialect){.es = gl->es,
+                        .sample_mask = gl->sample_mask,
                         .software = gl->software,
                         .max_varying_vectors = gl->max_varying_vectors,
                         .capacity = ew_sources_capacity((size_t)gl->max_uniform_block_size),
@@ -55,11 +56,11 @@ static void assign_bindings(const ew_gl *gl, GLuint program)
     static const struct {
         const char *name;
         GLint unit;
-    } textures[] = {{"ew_depth_texture", EW_GL_DEPTH_TEXTURE_UNIT},  {"ew_source_texture", EW_GL_SOURCE_TEXTURE_UNIT},
-                    {"ew_node_texture", EW_GL_NODE_TEXTURE_UNIT},    {"ew_middle_texture", EW_GL_MIDDLE_TEXTURE_UNIT},
-                    {"ew_field_texture", EW_GL_FIELD_TEXTURE_UNIT},  {"ew_cell_texture", EW_GL_CELL_TEXTURE_UNIT},
-                    {"ew_block_texture", EW_GL_BLOCK_TEXTURE_UNIT},  {"ew_peak_texture", EW_GL_BLOCK_TEXTURE_UNIT},
-                    {"ew_normal_texture", EW_GL_NORMAL_TEXTURE_UNIT}};
+    } textures[] = {{"ew_depth_texture", EW_GL_DEPTH_TEXTURE_UNIT},   {"ew_source_texture", EW_GL_SOURCE_TEXTURE_UNIT},
+                    {"ew_node_texture", EW_GL_NODE_TEXTURE_UNIT},     {"ew_middle_texture", EW_GL_MIDDLE_TEXTURE_UNIT},
+                    {"ew_field_texture", EW_GL_FIELD_TEXTURE_UNIT},   {"ew_cell_texture", EW_GL_CELL_TEXTURE_UNIT},
+                    {"ew_block_texture", EW_GL_BLOCK_TEXTURE_UNIT},   {"ew_peak_texture", EW_GL_BLOCK_TEXTURE_UNIT},
+                    {"ew_normal_texture", EW_GL_NORMAL_TEXTURE_UNIT}, {"ew_light_texture", EW_GL_LIGHT_TEXTURE_UNIT}};
     gl->UseProgram(program);
     for (size_t i = 0; i < sizeof textures / sizeof textures[0]; ++i) {
         GLint location = gl->GetUniformLocation(program, textures[i].name);

@@ -15,6 +15,7 @@ typedef struct ew_program {
     GLuint fragment_shader;
     bool is_linking; /* or linked */
     bool is_ready;
+    bool is_drawn; /* has drawn ahead */
 } ew_program;
 
 /* Starts to make the program of a pass and `key`, with the library's own integrator (NULL) or another one: hands its shaders to

@@ -69,10 +69,21 @@ static ew_result finish(ew_program_cache *cache, const ew_gl *gl, struct ew_cach
     return result;
 }
 
+bool ew_program_is_ready(const ew_program_cache *cache, ew_key key)
+{
+    return find_ready(cache, key) != NULL;
+}
+
 int ew_program_steps(const ew_program_cache *cache, ew_key key)
 {
     const struct ew_cached_program *entry = find(cache, key);
-    return !entry ? 3 : !entry->program.is_linking ? 2 : !entry->program.is_ready ? 1 : 0;
+    return !entry ? 3 : !entry->program.is_linking ? 2 : !entry->program.is_drawn ? 1 : 0;
+}
+
+void ew_program_set_drawn(ew_program_cache *cache, GLuint name)
+{
+    for (size_t i = 0; i < cache->count; ++i)
+        if (cache->entries[i].program.name == name) cache->entries[i].program.is_drawn = true;
 }
 
 ew_result ew_program_prepare(ew_program_cache *cache, const ew_gl *gl, const ew_allocator *allocator, ew_key key, GLuint *name,

@@ -21,8 +21,14 @@ typedef struct ew_program_cache {
 ew_result ew_program_prepare(ew_program_cache *cache, const ew_gl *gl, const ew_allocator *allocator, ew_key key, GLuint *name,
                              int *steps_left, ew_error *error);
 
-/* How many steps it is to the program of `key`. */
+/* Whether a program for `key` is ready, or one that is more general. */
+bool ew_program_is_ready(const ew_program_cache *cache, ew_key key);
+
+/* How many steps it is until the program of `key` has drawn ahead, of which the last is to make it ready and draw. */
 int ew_program_steps(const ew_program_cache *cache, ew_key key);
+
+/* Says so of a ready program. */
+void ew_program_set_drawn(ew_program_cache *cache, GLuint name);
 
 /* Finds a ready program for `key`, or a ready one that is more general, or else compiles that of `key` and waits for it. `name`
  * receives its name. Changes the program in use. */

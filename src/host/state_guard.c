@@ -212,6 +212,15 @@ void ew_gl_set_blending(const ew_gl *gl, const ew_gl_draw_state *draw)
     set_blend_equation(gl, GL_FUNC_ADD, GL_FUNC_ADD);
 }
 
+void ew_gl_set_sum(const ew_gl *gl, bool adds)
+{
+    ew_gl_set_blending(gl, &(ew_gl_draw_state){.blend = adds,
+                                               .source_rgb = GL_ONE,
+                                               .destination_rgb = GL_ONE,
+                                               .source_alpha = GL_ONE,
+                                               .destination_alpha = GL_ONE});
+}
+
 void ew_gl_set_draw_state(const ew_gl *gl, ew_gl_state *state, const ew_gl_draw_state *draw)
 {
     gl->BindFramebuffer(GL_DRAW_FRAMEBUFFER, draw->framebuffer);

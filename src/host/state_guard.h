@@ -89,6 +89,9 @@ void ew_gl_set_blending(const ew_gl *gl, const ew_gl_draw_state *draw);
 void ew_gl_set_viewport(const ew_gl *gl, const ew_viewport *viewport);
 void ew_gl_set_blend(const ew_gl *gl, bool blend);
 
+/* Adds what is drawn to the target, alpha too, or replaces that. */
+void ew_gl_set_sum(const ew_gl *gl, bool adds);
+
 /* Lets points have the size that the shader gives them, switches the host's scissor off, and has NDC's y point up. (Turned
  * over, Mesa's llvmpipe draws points a row beyond the scissor.) */
 void ew_gl_begin_grid(const ew_gl *gl, ew_gl_state *state);

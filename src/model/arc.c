@@ -56,6 +56,34 @@ ew_hull ew_hull_of_arc(const double polynomial[3][3], const double domain[2])
     return hull;
 }
 
+/* The derivative in the middle. C(1/2 + x) - C(1/2) = x slope + x^2 bend. */
+static void middle_slope(const ew_arc *arc, double slope[3])
+{
+    for (int i = 0; i < 3; ++i)
+        slope[i] = arc->tangent[i] + arc->bend[i];
+}
+
+ew_ball ew_ball_of_arc(const ew_arc *arc)
+{
+    double slope[3];
+    middle_slope(arc, slope);
+    ew_ball ball = {.radius = 0.5 * sqrt(ew_dot(slope, slope)) + 0.25 * sqrt(ew_dot(arc->bend, arc->bend))};
+    for (int i = 0; i < 3; ++i)
+        ball.center[i] = arc->start[i] + 0.5 * (arc->tangent[i] + 0.5 * arc->bend[i]);
+    return ball;
+}
+
+/* An arc along which the axis is rounded to floats may be a little farther away. */
+double ew_cylinder_of_arc(const ew_arc *arc, double axis[3])
+{
+    const double rounding = 1e-7;
+    double slope[3], across[3];
+    middle_slope(arc, slope);
+    if (!ew_normalize(slope, axis)) ew_perpendicular(arc->bend, axis);
+    ew_cross(arc->bend, axis, across);
+    return 0.25 * sqrt(ew_dot(across, across)) + rounding * sqrt(ew_dot(slope, slope));
+}
+
 ew_result ew_check_arc(const ew_arc *arc, const ew_source_name *name, ew_error *error)
 {
     ew_result result = ew_check_coordinates(name, arc->start, error);

@@ -15,6 +15,12 @@ ew_arc ew_arc_in_ray_space(const ew_ray_space *space, const double polynomial[3]
 /* Four corners around an arc: both ends, and the control points that its halves have in between. A straight arc's are on it. */
 ew_hull ew_hull_of_arc(const double polynomial[3][3], const double domain[2]);
 
+/* A ball around an arc, in ray space. */
+ew_ball ew_ball_of_arc(const ew_arc *arc);
+
+/* The direction of a cylinder around an arc, whose axis goes through the ball's centre. Returns its radius. */
+double ew_cylinder_of_arc(const ew_arc *arc, double axis[3]);
+
 /* Refuses an arc that is too far away or too large. */
 ew_result ew_check_arc(const ew_arc *arc, const ew_source_name *name, ew_error *error);
 

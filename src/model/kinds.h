@@ -59,6 +59,15 @@ typedef struct ew_weight_list {
     size_t count;
 } ew_weight_list;
 
+/* The parts into which a frame's sources are divided where one shader for all of them would take long to compile. */
+typedef enum ew_part {
+    EW_PART_STRAIGHT, /* points, too */
+    EW_PART_TORI,
+    EW_PART_CURVES,
+    EW_PART_BENDS, /* chains with bent pieces */
+    EW_PART_COUNT,
+} ew_part;
+
 /* The most units (vec4) that a piece of a chain takes. */
 enum { EW_MAX_PIECE_UNITS = sizeof(struct ew_bent_block) / sizeof(ew_vec4) };
 
@@ -118,6 +127,7 @@ typedef struct ew_kind {
     ew_result (*pack)(const void *source, const ew_source_name *name, const ew_ray_space *space, const ew_weight_range *weights,
                       void *block, ew_error *error);
     const ew_chain_kind *chain; /* of a kind whose sources are chains of pieces; else NULL */
+    ew_part part;               /* of a chain: of those without bent pieces */
 
     /* The GLSL file of what all integrators need; NULL for a kind that has only one file. */
     const char *chord_file;

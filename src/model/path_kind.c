@@ -110,11 +110,15 @@ static ew_result pack_bent(const ew_path_piece *piece, const ew_source_name *nam
     const double whole[2] = {0, 1};
     const ew_arc arc = ew_arc_in_ray_space(space, piece->curve.polynomial, whole);
     const ew_arc_frame frame = ew_find_arc_frame(&arc);
+    const ew_ball ball = ew_ball_of_arc(&arc);
+    double axis[3], radius = ew_cylinder_of_arc(&arc, axis);
     block->origin = ew_pack(frame.origin, 0);
     block->axis_x = ew_pack(frame.axis_x, frame.slope_x);
     block->axis_y = ew_pack(frame.axis_y, frame.slope_y);
     block->axis_z = ew_pack(frame.axis_z, frame.bend);
     block->domain = (ew_vec4){(float)frame.first, (float)frame.last, (float)piece->domain[0], (float)piece->domain[1]};
+    block->ball = ew_pack(ball.center, ball.radius);
+    block->along = ew_pack(axis, radius);
     return ew_check_arc(&arc, name, error);
 }
 
@@ -159,9 +163,9 @@ static ew_result pack_pieces(const ew_source_name *name, const ew_ray_space *spa
     return result;
 }
 
-static const char *const bend_files[] = {
-    ew_glsl_curve_chord_glsl, ew_glsl_arc_glsl,  ew_glsl_passage_glsl,     ew_glsl_cell_glsl,  ew_glsl_stretch_glsl,
-    ew_glsl_rest_glsl,        ew_glsl_knot_glsl, ew_glsl_rest_panels_glsl, ew_glsl_curve_glsl, NULL};
+static const char *const bend_files[] = {ew_glsl_arc_glsl,         ew_glsl_passage_glsl, ew_glsl_cell_glsl,
+                                         ew_glsl_stretch_glsl,     ew_glsl_rest_glsl,    ew_glsl_knot_glsl,
+                                         ew_glsl_rest_panels_glsl, ew_glsl_curve_glsl,   NULL};
 static const char *const sampled_bend_files[] = {ew_glsl_polynomial_curve_glsl, ew_glsl_curve_distance_glsl, NULL};
 
 static const ew_chain_kind chain = {.most_piece_units = most_piece_units,

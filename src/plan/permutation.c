@@ -116,11 +116,65 @@ ew_key ew_permutation_with_lists(ew_key key)
     return general;
 }
 
+/* Whether sources of a kind that `key` knows are of a part: chains may be of two. */
+static bool is_of_part(ew_key key, int kind, ew_part part)
+{
+    if (ew_permutation_count(key, kind) == 0) return false;
+    return ew_kinds[kind]->part == part || (part == EW_PART_BENDS && ew_kinds[kind]->chain && key & EW_PERMUTATION_BENDS);
+}
+
+bool ew_permutation_has_part(ew_key key, ew_part part)
+{
+    for (int kind = 0; kind < EW_KIND_COUNT; ++kind)
+        if (is_of_part(key, kind, part)) return true;
+    return false;
+}
+
+ew_key ew_permutation_of_part(ew_key key, ew_part part)
+{
+    const ew_key of_sources = EW_PERMUTATION_WEIGHTS | EW_PERMUTATION_JOINTS | EW_PERMUTATION_BENDS;
+    ew_key of_part = (key & (((ew_key)1 << EW_PERMUTATION_FLAG_COUNT) - 1) & ~of_sources) | EW_PERMUTATION_PART;
+    for (int kind = 0; kind < EW_KIND_COUNT; ++kind) {
+        if (!is_of_part(key, kind, part)) continue;
+        of_part = ew_permutation_with_count(of_part, kind, EW_ANY_COUNT);
+        if (ew_kinds[kind]->weights) of_part |= key & EW_PERMUTATION_WEIGHTS;
+        if (ew_kinds[kind]->chain) of_part |= key & EW_PERMUTATION_JOINTS;
+        if (part == EW_PART_BENDS) of_part |= EW_PERMUTATION_BENDS;
+    }
+    return of_part;
+}
+
+ew_key ew_permutation_summed(ew_key key)
+{
+    return (key & EW_PERMUTATION_OF_TARGET) | EW_PERMUTATION_SUMMED;
+}
+
+bool ew_permutation_can_be_split(ew_key key)
+{
+    /* Of the samples of a pixel, what they do to the target is averaged, not their light. */
+    return !(key & (EW_PERMUTATION_SIMPSON | EW_PERMUTATION_EVALUATIONS | EW_PERMUTATION_DEPTH_MULTISAMPLE));
+}
+
+bool ew_permutation_is_split(ew_key key)
+{
+    int part_count = 0;
+    bool has_other_kinds = false;
+    for (int part = 0; part < EW_PART_COUNT; ++part)
+        part_count += ew_permutation_has_part(key, (ew_part)part);
+    for (int kind = 0; kind < EW_KIND_COUNT; ++kind)
+        has_other_kinds = has_other_kinds || (ew_permutation_count(key, kind) > 0 && !ew_kinds[kind]->chain);
+    if (!ew_permutation_can_be_split(key) || part_count < 2) return false;
+    /* Without fog, one shader does for tori and all that is straight, and for chains. */
+    return key & EW_PERMUTATION_FOG || ew_permutation_has_part(key, EW_PART_CURVES) ||
+           (ew_permutation_has_part(key, EW_PART_BENDS) && has_other_kinds);
+}
+
 bool ew_permutation_covers(ew_key key, ew_key other)
 {
     /* What a shader may know without harm to sources that do not need it. Reaches are not among that: blocks are longer with
      * them. */
-    const ew_key extras = EW_PERMUTATION_WEIGHTS | EW_PERMUTATION_SHARPNESS | EW_PERMUTATION_JOINTS | EW_PERMUTATION_BENDS;
+    ew_key extras = EW_PERMUTATION_WEIGHTS | EW_PERMUTATION_SHARPNESS | EW_PERMUTATION_JOINTS;
+    if (!(key & EW_PERMUTATION_PART)) extras |= EW_PERMUTATION_BENDS;
     const ew_key flags = (((ew_key)1 << EW_PERMUTATION_FLAG_COUNT) - 1) & ~extras;
     if ((key & flags) != (other & flags) || (other & extras & ~key) != 0) return false;
     for (int kind = 0; kind < EW_KIND_COUNT; ++kind)

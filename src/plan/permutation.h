@@ -34,8 +34,14 @@ enum {
     EW_PERMUTATION_FOG = 1 << 20,
     EW_PERMUTATION_FOG_HEIGHT = 1 << 21, /* with EW_PERMUTATION_FOG */
     EW_PERMUTATION_MEDIA = 1 << 22,      /* likewise */
-    EW_PERMUTATION_FLAG_COUNT = 23,
+    EW_PERMUTATION_PART = 1 << 23,       /* the light of a part of the sources, with no exact counts */
+    EW_PERMUTATION_SUMMED = 1 << 24,     /* no sources: their light has been summed up */
+    EW_PERMUTATION_FLAG_COUNT = 25,
 };
+
+/* What becomes of the light. */
+#define EW_PERMUTATION_OF_TARGET                                                                                               \
+    ((ew_key)(EW_PERMUTATION_LUMINANCE | EW_PERMUTATION_DITHER | EW_PERMUTATION_DITHER_SRGB | EW_PERMUTATION_SOFT))
 
 /* Above the flags stand the counts of sources by kind, each in a field of EW_PERMUTATION_COUNT_BITS: 0 and 1 stand for
  * themselves, and EW_ANY_COUNT for any. */
@@ -58,6 +64,18 @@ ew_key ew_permutation_with_depth(ew_key key, ew_depth_kind depth);
 
 /* The key with lists by tile, if it knows reaches; then any count of a kind that it knows will do. */
 ew_key ew_permutation_with_lists(ew_key key);
+
+/* Whether `key` knows sources of a part; and the key of the shader for these alone. */
+bool ew_permutation_has_part(ew_key key, ew_part part);
+ew_key ew_permutation_of_part(ew_key key, ew_part part);
+
+/* The key of the shader that composites what the parts of `key` have summed up. */
+ew_key ew_permutation_summed(ew_key key);
+
+/* Whether the light of the parts of `key` can be summed up before it is composited; and whether it is to be, because one shader
+ * for all of them would take more than a second to compile. */
+bool ew_permutation_can_be_split(ew_key key);
+bool ew_permutation_is_split(ew_key key);
 
 /* The key with that many sources of a kind, none before. */
 ew_key ew_permutation_with_count(ew_key key, int kind, size_t count);

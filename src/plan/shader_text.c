@@ -51,17 +51,18 @@ size_t ew_join_shader_text(const ew_shader_text *text, char *joined)
 
 /* ---- The head of a shader ---- */
 
-/* Multisampled textures came to OpenGL with GLSL 1.50, and to OpenGL ES with 3.10. */
+/* Multisampled textures came to OpenGL with GLSL 1.50, and to OpenGL ES with 3.10; gl_SampleMask came with 4.00 and 3.20. */
 static void add_version(ew_shader_text *text, const ew_dialect *dialect, ew_key key)
 {
     bool multisample = key & EW_PERMUTATION_DEPTH_MULTISAMPLE;
-    if (!dialect->es)
-        add(text, "#version 330 core\n");
-    else if (multisample)
-        add(text, "#version 310 es\nprecision highp float;\nprecision highp int;\nprecision highp sampler2D;\n"
-                  "precision highp sampler2DMS;\n");
-    else
-        add(text, "#version 300 es\nprecision highp float;\nprecision highp int;\nprecision highp sampler2D;\n");
+    bool masks_samples = multisample && dialect->sample_mask;
+    if (!dialect->es) {
+        add(text, masks_samples ? "#version 400 core\n" : "#version 330 core\n");
+        return;
+    }
+    add(text, masks_samples ? "#version 320 es\n" : multisample ? "#version 310 es\n" : "#version 300 es\n");
+    add(text, "precision highp float;\nprecision highp int;\nprecision highp sampler2D;\n");
+    if (multisample) add(text, "precision highp sampler2DMS;\n");
 }
 
 /* How many vec4 a source of the kind takes in the shader of `key`. */
@@ -89,7 +90,8 @@ static void add_defines(ew_shader_text *text, const ew_dialect *dialect, ew_key 
         "WEIGHTS", "DEPTH",       "SIMPSON", "LUMINANCE",  "EVALUATIONS",    "DEPTH_MULTISAMPLE",
         "DITHER",  "DITHER_SRGB", "WORLD",   "REACH",      "CORE_PIXELS",    "SHARPNESS",
         "SOFT",    "JOINTS",      "BENDS",   "LISTS",      "SOURCE_TEXTURE", "IRRADIANCE",
-        "SHADOWS", "NORMALS",     "FOG",     "FOG_HEIGHT", "MEDIA"};
+        "SHADOWS", "NORMALS",     "FOG",     "FOG_HEIGHT", "MEDIA",          "PART",
+        "SUMMED"};
     add_made(text, "#define EW_SOURCE_DATA_SIZE %zu\n", dialect->capacity);
     if (key & EW_PERMUTATION_LISTS) add_made(text, "#define EW_LIST_SIZE %zu\n", dialect->list_size);
     for (int i = 0; i < EW_PERMUTATION_FLAG_COUNT; ++i)
@@ -107,6 +109,10 @@ static void add_software_defines(ew_shader_text *text, const ew_dialect *dialect
 
 /* ---- Sources ---- */
 
+/* How many sources of a kind there are, as the block says. */
+#define EW_COUNT_FORMAT "ew_source_counts[%d].%c"
+#define EW_COUNT_PLACE(kind) (kind) / 4, "xyzw"[(kind) % 4]
+
 /* Where the sources of a kind start in the block, as an expression: all of the kinds before it. EW_KIND_COUNT asks for the end
  * of the last. */
 static void add_start(ew_shader_text *text, int kind, ew_key key)
@@ -114,12 +120,37 @@ static void add_start(ew_shader_text *text, int kind, ew_key key)
     size_t known = 0;
     for (int before = 0; before < kind; ++before) {
         unsigned count = ew_permutation_count(key, before);
-        if (count != EW_ANY_COUNT)
-            known += count * units_of(before, key);
+        /* A part does not know how many there are of the kinds that it leaves out. */
+        if (count == EW_ANY_COUNT || key & EW_PERMUTATION_PART)
+            add_made(text, EW_COUNT_FORMAT " * %zu + ", EW_COUNT_PLACE(before), units_of(before, key));
         else
-            add_made(text, "EW_%s_COUNT * %zu + ", ew_kinds[before]->upper_name, units_of(before, key));
+            known += count * units_of(before, key);
     }
     add_made(text, "%zu", known);
+}
+
+/* The body of a function that reads a source unit by unit. Where places differ from pixel to pixel, some compilers put a dozen
+ * branches into the shader for every read: so one read stands in a loop, which hands the units on until each has its place. */
+static void add_reading_loop(ew_shader_text *text, const ew_kind *kind, size_t units)
+{
+    add_made(text, "{\n    vec4 unit0 = vec4(0.0)");
+    for (size_t unit = 1; unit < units; ++unit)
+        add_made(text, ", unit%zu = unit0", unit);
+    add_made(text, ";\n    for (int unit = 0; unit < %zu; ++unit) {\n", units);
+    for (size_t unit = 0; unit + 1 < units; ++unit)
+        add_made(text, "        unit%zu = unit%zu;\n", unit, unit + 1);
+    add_made(text, "        unit%zu = ew_source(EW_%s_START + unit, %zu, i);\n    }\n    return ew_%s_block(", units - 1,
+             kind->upper_name, units, kind->name);
+    for (size_t unit = 0; unit < units; ++unit)
+        add_made(text, "%sunit%zu", unit > 0 ? ", " : "", unit);
+}
+
+/* The same for the only source of a kind, whose place is constant. */
+static void add_reading(ew_shader_text *text, const ew_kind *kind, size_t units)
+{
+    add_made(text, "{\n    return ew_%s_block(", kind->name);
+    for (size_t unit = 0; unit < units; ++unit)
+        add_made(text, "%sew_source(EW_%s_START + %zu, %zu, i)", unit > 0 ? ", " : "", kind->upper_name, unit, units);
 }
 
 /* EW_..._COUNT, and the function that reads source i of the kind: its block consists of vec4 and nothing else. */
@@ -129,15 +160,16 @@ static void add_reader(ew_shader_text *text, int index, ew_key key)
     unsigned count = ew_permutation_count(key, index);
     if (count == 0) return;
     if (count == EW_ANY_COUNT)
-        add_made(text, "#define EW_%s_COUNT ew_source_counts[%d].%c\n", kind->upper_name, index / 4, "xyzw"[index % 4]);
+        add_made(text, "#define EW_%s_COUNT " EW_COUNT_FORMAT "\n", kind->upper_name, EW_COUNT_PLACE(index));
     else
         add_made(text, "#define EW_%s_COUNT %u\n", kind->upper_name, count);
     add_made(text, "#define EW_%s_START (", kind->upper_name);
     add_start(text, index, key);
-    add_made(text, ")\new_%s_block ew_%s(int i)\n{\n    return ew_%s_block(", kind->name, kind->name, kind->name);
-    for (size_t unit = 0; unit < units_of(index, key); ++unit)
-        add_made(text, "%sew_source(EW_%s_START + %zu, %zu, i)", unit > 0 ? ", " : "", kind->upper_name, unit,
-                 units_of(index, key));
+    add_made(text, ")\new_%s_block ew_%s(int i)\n", kind->name, kind->name);
+    if (count == EW_ANY_COUNT)
+        add_reading_loop(text, kind, units_of(index, key));
+    else
+        add_reading(text, kind, units_of(index, key));
     add_made(text, "%s);\n}\n", key & EW_PERMUTATION_REACH ? "" : ", ew_plain_glow()");
 }
 
@@ -287,21 +319,20 @@ static bool draws_patches(ew_pass pass)
 
 ew_key ew_permutation_of_pass(ew_pass pass, ew_key key)
 {
-    const ew_key target = EW_PERMUTATION_LUMINANCE | EW_PERMUTATION_DITHER | EW_PERMUTATION_DITHER_SRGB | EW_PERMUTATION_SOFT;
     switch (pass) {
     case EW_PASS_NODES:
-        return key & ~target;
+        return key & ~EW_PERMUTATION_OF_TARGET;
     case EW_PASS_FIELD:
-        return key & ~(target | EW_PERMUTATION_SHARPNESS);
+        return key & ~(EW_PERMUTATION_OF_TARGET | EW_PERMUTATION_SHARPNESS);
     case EW_PASS_PEAK:
         return 0;
     case EW_PASS_CLASSES:
         return key & (EW_PERMUTATION_DEPTH | EW_PERMUTATION_DEPTH_MULTISAMPLE | EW_PERMUTATION_WORLD | EW_PERMUTATION_LISTS |
                       EW_PERMUTATION_SOURCE_TEXTURE | EW_PERMUTATION_LUMINANCE);
     case EW_PASS_INTERPOLATION:
-        return key & target;
+        return key & EW_PERMUTATION_OF_TARGET;
     default:
-        return key;
+        return key & EW_PERMUTATION_PART ? key & ~EW_PERMUTATION_OF_TARGET : key;
     }
 }
 
@@ -349,6 +380,15 @@ static void add_depth(ew_shader_text *text, ew_key key)
     if (key & EW_PERMUTATION_DEPTH) add_file(text, ew_glsl_depth_glsl);
 }
 
+/* The depth, and which samples are shaded, of a pass that draws to the target. */
+static void add_depth_of_samples(ew_shader_text *text, const ew_dialect *dialect, ew_key key)
+{
+    add_depth(text, key);
+    if (!(key & EW_PERMUTATION_DEPTH_MULTISAMPLE)) return;
+    if (dialect->sample_mask) add(text, "#define EW_SAMPLE_MASK\n");
+    add_file(text, ew_glsl_samples_glsl);
+}
+
 static void write_integrating_shader(ew_shader_text *text, const ew_dialect *dialect, ew_pass pass, ew_key key,
                                      const ew_integrator_text *integrator)
 {
@@ -357,10 +397,16 @@ static void write_integrating_shader(ew_shader_text *text, const ew_dialect *dia
     if (is_of_nodes) add(text, "#define EW_NODE_STAGE\n");
     if (pass == EW_PASS_FIELD) add(text, "#define EW_FIELD\n");
     add_light(text, key, integrator, is_of_nodes);
-    add_depth(text, key);
-    add_file(text, ew_glsl_ray_glsl);
     if (is_of_nodes) {
+        add_depth(text, key);
+        add_file(text, ew_glsl_ray_glsl);
         add_file(text, ew_glsl_node_frag);
+        return;
+    }
+    add_depth_of_samples(text, dialect, key);
+    add_file(text, ew_glsl_ray_glsl);
+    if (key & EW_PERMUTATION_PART) {
+        add_file(text, ew_glsl_part_frag);
         return;
     }
     add_target_files(text, key);
@@ -378,7 +424,7 @@ static void write_surface_shader(ew_shader_text *text, const ew_dialect *dialect
     start_stage(text, dialect, EW_PASS_SURFACES, key);
     add_sources(text, key, false);
     add_irradiance(text, key);
-    add_depth(text, key);
+    add_depth_of_samples(text, dialect, key);
     add_file(text, ew_glsl_ray_glsl);
     add_file(text, ew_glsl_composite_glsl);
     add_file(text, ew_glsl_normal_glsl);
@@ -394,14 +440,27 @@ static void write_media_shader(ew_shader_text *text, const ew_dialect *dialect, 
     start_stage(text, dialect, EW_PASS_MEDIA, key);
     add_sources(text, key, false);
     add_media_light(text, key);
-    add_depth(text, key);
+    add_depth_of_samples(text, dialect, key);
     add_file(text, ew_glsl_ray_glsl);
     add_dither(text, key);
     add_file(text, ew_glsl_media_frag);
 }
 
+static void write_summed_shader(ew_shader_text *text, const ew_dialect *dialect, ew_pass pass, ew_key key)
+{
+    start_stage(text, dialect, pass, key);
+    add_file(text, ew_glsl_layout_glsl);
+    add_file(text, ew_glsl_blocks_glsl);
+    add_target_files(text, key);
+    add_file(text, ew_glsl_summed_frag);
+}
+
 void ew_write_fragment_shader(ew_shader_text *text, const ew_dialect *dialect, ew_pass pass, ew_key key)
 {
+    if (key & EW_PERMUTATION_SUMMED) {
+        write_summed_shader(text, dialect, pass, key);
+        return;
+    }
     if (pass == EW_PASS_SURFACES) {
         write_surface_shader(text, dialect, key);
         return;

@@ -7,6 +7,7 @@
 /* What a shader's text must fit. */
 typedef struct ew_dialect {
     bool es;                 /* OpenGL ES */
+    bool sample_mask;        /* shaders know gl_SampleMask */
     bool software;           /* drawn by the processor: see glsl/base/blocks.glsl */
     int max_varying_vectors; /* between the stages */
     size_t capacity;         /* units of sources in the uniform block */

@@ -236,7 +236,10 @@ static void write_scenes(FILE *file, const bench_results *results, const char *b
 static void write_page(FILE *file, const bench_results *sets, size_t set_count, const char *base)
 {
     page_begin(file, "Speed against error", "ew-bench", &sets[0].machine);
-    fputs("\nWhat light on surfaces costs beside point lights is on [a page of its own](light-on-surfaces.md).\n\n", file);
+    fputs(
+        "\nWhat light on surfaces costs beside point lights is on [a page of its own](light-on-surfaces.md), and what fog and "
+        "media cost on [another](fog-and-media.md).\n\n",
+        file);
     write_head(file, &sets[0]);
     write_measures(file, &sets[0]);
     write_glossary(file);

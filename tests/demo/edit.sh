@@ -1,5 +1,5 @@
 #!/bin/sh
-# A scene file is changed in ew-demo's window by the mouse and by keys, and saved, under Xvfb: sources and opaque shapes are selected by
+# A scene file is changed in ew-demo's window by the mouse and by keys, and saved, under Xvfb: sources, opaque shapes and media are selected by
 # a click on them, their points, arrows, radii and corners and their sliders are dragged, and undone. The file then holds what was done,
 # and else what it held before. What another program saves meanwhile is not overwritten.
 # Usage: edit.sh EW_DEMO EW_RENDER SCENES VERSION
@@ -240,5 +240,40 @@ press ctrl+z ctrl+z ctrl+z ctrl+z ctrl+z ctrl+z ctrl+z ctrl+z ctrl+z ctrl+z ctrl
 saves shapes.json
 press h
 shows keys.png
+closes
+
+# Media are clicked on, too. They are dragged as opaque shapes are, an ellipsoid by each of its radii; extinction and albedo have bars.
+cat > expected.json << 'TEXT'
+{ "camera": { "eye": [0, 0, 10], "target": [0, 0, 0], "fov_y_degrees": 53.13010235415598 },
+  "media": [{ "shape": "sphere", "center": [-4, 2, 0], "radius": 1, "extinction": 1, "albedo": 0.5 },
+    { "shape": "ellipsoid", "center": [1, -2, 0], "radii": [2, 1, 1.0], "extinction": 2 }] }
+TEXT
+cp expected.json media.json
+cp expected.json scene.json
+opens "$ew_demo" --size 400x300 --samples 1 scene.json
+waits 'the media are shown' has_colors opened.png
+clicks 80 85
+drags 110 90 125 90
+changes '"radius": 1,' '"radius": 1.5,'
+saves expected.json
+drags 80 90 110 120
+changes '\[-4, 2, 0\]' '[-3, 1, 0]'
+saves expected.json
+drags 302 46 314 46
+changes '"extinction": 1,' '"extinction": 1.96,'
+saves expected.json
+drags 302 76 343 76
+changes '"albedo": 0.5' '"albedo": 0.75'
+saves expected.json
+clicks 230 215
+drags 290 210 320 210
+changes '\[2, 1, 1.0\]' '[3, 1, 1]'
+saves expected.json
+drags 230 180 230 165
+changes '\[3, 1, 1\]' '[3, 1.5, 1]'
+saves expected.json
+shows media.png
+press ctrl+z ctrl+z ctrl+z ctrl+z ctrl+z ctrl+z
+saves media.json
 closes
 concludes

@@ -38,6 +38,8 @@ static double scene_change(const demo_animation *a, const demo_animation *b)
         change = fmax(change, point_change(&a->points[i], &b->points[i]));
     for (int i = 0; i < ANIMATION_PATHS; i++)
         change = fmax(change, path_change(&a->paths[i], &b->paths[i]));
+    for (int i = 0; i < ANIMATION_MEDIA; i++)
+        change = fmax(change, distance(a->media[i].ambient, b->media[i].ambient));
     return fmax(change, distance(a->scene.camera.eye, b->scene.camera.eye));
 }
 

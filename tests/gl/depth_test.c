@@ -5,6 +5,7 @@
 #include "debug_output.h"
 #include "glow.h"
 #include "program_context.h"
+#include "sampled_scene.h"
 #include "scramble.h"
 
 #include <setjmp.h>
@@ -18,7 +19,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { WIDTH = GLOW_WIDTH, HEIGHT = GLOW_HEIGHT, SAMPLES = 4 };
+enum { WIDTH = GLOW_WIDTH, HEIGHT = GLOW_HEIGHT, SAMPLES = SCENE_SAMPLES };
 
 typedef GLfloat picture[HEIGHT][WIDTH][4];
 typedef GLfloat depths[HEIGHT][WIDTH];
@@ -693,133 +694,8 @@ static void the_depth_of_the_window_is_copied(void **unused)
 /* ---- Multisampled depth ---------------------------------------------------------------------------------------------------
  */
 
-static bool has_multisampled_textures(void)
-{
-    return api_has(33, 31, NULL);
-}
-
-static GLuint make_multisampled_texture(GLenum format)
-{
-    GLuint texture;
-    gl.GenTextures(1, &texture);
-    gl.BindTexture(GL_TEXTURE_2D_MULTISAMPLE, texture);
-    if (gl.es)
-        gl.TexStorage2DMultisample(GL_TEXTURE_2D_MULTISAMPLE, SAMPLES, format, WIDTH, HEIGHT, GL_TRUE);
-    else
-        gl.TexImage2DMultisample(GL_TEXTURE_2D_MULTISAMPLE, SAMPLES, format, WIDTH, HEIGHT, GL_TRUE);
-    gl.BindTexture(GL_TEXTURE_2D_MULTISAMPLE, 0);
-    return texture;
-}
-
-static GLuint make_framebuffer(GLenum texture_target, GLuint color, GLuint depth)
-{
-    GLuint framebuffer;
-    gl.GenFramebuffers(1, &framebuffer);
-    gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-    gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, texture_target, color, 0);
-    if (depth) gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, texture_target, depth, 0);
-    assert_int_equal(gl.CheckFramebufferStatus(GL_FRAMEBUFFER), GL_FRAMEBUFFER_COMPLETE);
-    return framebuffer;
-}
-
-/* A multisampled opaque scene, and single-sampled textures of each of its samples. */
-typedef struct sampled_scene {
-    GLuint color, depth;
-    GLuint framebuffer;           /* of the colour alone */
-    GLuint sample_color[SAMPLES]; /* RGBA32F */
-    GLuint sample_depth[SAMPLES]; /* RGBA32F, in the red channel */
-    GLuint sample_framebuffers[SAMPLES];
-} sampled_scene;
-
-static void draw_triangle(GLuint program, const GLfloat color[4], GLfloat depth)
-{
-    gl.UseProgram(program);
-    gl.Uniform4f(gl.GetUniformLocation(program, "fill"), color[0], color[1], color[2], color[3]);
-    gl.Uniform1f(gl.GetUniformLocation(program, "depth"), depth);
-    gl.DrawArrays(GL_TRIANGLES, 0, 3);
-    gl.UseProgram(0);
-}
-
-static void draw_opaque_samples(sampled_scene *scene, GLuint vertex_array)
-{
-    static const GLfloat dark[4] = {0.1f, 0, 0.05f, 1}, bright[4] = {1, 0.9f, 0.6f, 1};
-    static const GLfloat far_depth = 1;
-    GLuint program = build_program("uniform float depth;\nvoid main() {\n"
-                                   "vec2 corner = vec2(gl_VertexID == 1 ? 0.9 : -0.7, gl_VertexID == 2 ? 0.8 : -0.6);\n"
-                                   "gl_Position = vec4(corner, 2.0 * depth - 1.0, 1.0); }\n",
-                                   "uniform vec4 fill;\nout vec4 color;\nvoid main() { color = fill; }\n", NULL);
-    scene->color = make_multisampled_texture(GL_RGBA8);
-    scene->depth = make_multisampled_texture(GL_DEPTH_COMPONENT32F);
-    GLuint framebuffer = make_framebuffer(GL_TEXTURE_2D_MULTISAMPLE, scene->color, scene->depth);
-    gl.Viewport(0, 0, WIDTH, HEIGHT);
-    gl.ClearBufferfv(GL_COLOR, 0, dark);
-    gl.ClearBufferfv(GL_DEPTH, 0, &far_depth);
-    gl.BindVertexArray(vertex_array);
-    gl.Enable(GL_DEPTH_TEST);
-    gl.DepthFunc(GL_LESS);
-    gl.DepthMask(GL_TRUE);
-    draw_triangle(program, bright, 0.75f); /* before nearly all of the light */
-    gl.Disable(GL_DEPTH_TEST);
-    gl.DeleteProgram(program);
-    gl.DeleteFramebuffers(1, &framebuffer);
-    scene->framebuffer = make_framebuffer(GL_TEXTURE_2D_MULTISAMPLE, scene->color, 0);
-}
-
-static GLuint make_float_texture(void)
-{
-    GLuint texture;
-    gl.GenTextures(1, &texture);
-    gl.BindTexture(GL_TEXTURE_2D, texture);
-    gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, WIDTH, HEIGHT, 0, GL_RGBA, GL_FLOAT, NULL);
-    gl.BindTexture(GL_TEXTURE_2D, 0);
-    return texture;
-}
-
-/* Copies a sample of `texture` to a float texture. */
-static GLuint fetch_sample(GLuint program, GLuint texture, int sample)
-{
-    GLuint fetched = make_float_texture(), framebuffer = make_framebuffer(GL_TEXTURE_2D, fetched, 0);
-    gl.ActiveTexture(GL_TEXTURE0);
-    gl.BindTexture(GL_TEXTURE_2D_MULTISAMPLE, texture);
-    gl.UseProgram(program);
-    gl.Uniform1i(gl.GetUniformLocation(program, "index"), sample);
-    gl.DrawArrays(GL_TRIANGLES, 0, 3);
-    gl.UseProgram(0);
-    gl.BindTexture(GL_TEXTURE_2D_MULTISAMPLE, 0);
-    gl.DeleteFramebuffers(1, &framebuffer);
-    return fetched;
-}
-
-static void create_sampled_scene(sampled_scene *scene)
-{
-    GLuint vertex_array;
-    gl.GenVertexArrays(1, &vertex_array);
-    draw_opaque_samples(scene, vertex_array);
-    GLuint program = build_program("void main() { gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : "
-                                   "-1.0, 0.0, 1.0); }\n",
-                                   "uniform highp sampler2DMS image;\nuniform int index;\nout vec4 color;\n"
-                                   "void main() { color = texelFetch(image, ivec2(gl_FragCoord.xy), index); }\n",
-                                   NULL);
-    for (int i = 0; i < SAMPLES; i++) {
-        scene->sample_color[i] = fetch_sample(program, scene->color, i);
-        scene->sample_depth[i] = fetch_sample(program, scene->depth, i);
-        scene->sample_framebuffers[i] = make_framebuffer(GL_TEXTURE_2D, scene->sample_color[i], 0);
-    }
-    gl.DeleteProgram(program);
-    gl.BindVertexArray(0);
-    gl.DeleteVertexArrays(1, &vertex_array);
-    assert_int_equal(gl.GetError(), GL_NO_ERROR);
-}
-
-static void destroy_sampled_scene(sampled_scene *scene)
-{
-    gl.DeleteTextures(1, &scene->color);
-    gl.DeleteTextures(1, &scene->depth);
-    gl.DeleteTextures(SAMPLES, scene->sample_color);
-    gl.DeleteTextures(SAMPLES, scene->sample_depth);
-    gl.DeleteFramebuffers(1, &scene->framebuffer);
-    gl.DeleteFramebuffers(SAMPLES, scene->sample_framebuffers);
-}
+/* A triangle before nearly all of the light, and nothing beside it. */
+static const opaque_triangle triangle = {{{-0.7f, -0.6f, 0.5f}, {0.9f, -0.6f, 0.5f}, {-0.7f, 0.8f, 0.5f}}, {1, 0.9f, 0.6f, 1}};
 
 /* What a single-sampled host would see, did it render at the place of each sample; 8-bit targets clip. */
 static void draw_samples_alone(const sampled_scene *scene, const ew_frame_desc *frame, picture samples[SAMPLES])
@@ -859,7 +735,7 @@ static int expect_between(picture samples[SAMPLES], picture resolved, float tole
 static void check_resolved_picture(ew_depth_source source)
 {
     sampled_scene scene;
-    create_sampled_scene(&scene);
+    sampled_scene_create(&triangle, 1, GL_RGBA8, WIDTH, HEIGHT, &scene);
     static picture samples[SAMPLES], resolved;
     canvas bytes = canvas_create(WIDTH, HEIGHT, GL_RGBA8, 0, 0);
     const bool copied = source == EW_DEPTH_FRAMEBUFFER;
@@ -885,7 +761,7 @@ static void check_resolved_picture(ew_depth_source source)
     }
     gl.DeleteFramebuffers(1, &whole);
     canvas_destroy(&bytes);
-    destroy_sampled_scene(&scene);
+    sampled_scene_destroy(&scene);
     assert_int_equal(gl.GetError(), GL_NO_ERROR);
 }
 
@@ -902,7 +778,7 @@ static void multisampled_depth_on_other_targets_is_the_mean_over_the_samples(voi
     (void)unused;
     if (!has_multisampled_textures()) skip();
     sampled_scene scene;
-    create_sampled_scene(&scene);
+    sampled_scene_create(&triangle, 1, GL_RGBA8, WIDTH, HEIGHT, &scene);
     static picture sample, mean, found;
     ew_frame_desc frame = glow_frame(0);
     memset(mean, 0, sizeof mean);
@@ -926,7 +802,7 @@ static void multisampled_depth_on_other_targets_is_the_mean_over_the_samples(voi
     gl.BindTexture(GL_TEXTURE_2D_MULTISAMPLE, 0);
     assert_int_equal(swizzle, GL_ONE);
     assert_int_equal(count_different_pixels(found, sample), 0);
-    destroy_sampled_scene(&scene);
+    sampled_scene_destroy(&scene);
 }
 
 /* ---- Refusals -------------------------------------------------------------------------------------------------------------
@@ -952,7 +828,7 @@ static void depth_that_cannot_be_read_is_refused_by_name(void **unused)
     frame.depth_source = EW_DEPTH_FRAMEBUFFER;
     glow_refuse(effect, &frame, EW_ERROR_INVALID_ARGUMENT, "depth_source");
 
-    GLuint color = make_float_texture(), depth;
+    GLuint color = make_float_texture(WIDTH, HEIGHT), depth;
     static depths values;
     depth = make_depth_texture(GL_DEPTH_COMPONENT32F, values);
     frame = glow_frame(make_framebuffer(GL_TEXTURE_2D, color, depth));
@@ -1023,7 +899,7 @@ static void a_texture_that_is_no_depth_is_refused(void **unused)
 static void linear_depth_that_is_drawn_to_is_refused(void **unused)
 {
     (void)unused;
-    const GLuint color = make_float_texture(), linear = make_float_texture();
+    const GLuint color = make_float_texture(WIDTH, HEIGHT), linear = make_float_texture(WIDTH, HEIGHT);
     ew_frame_desc frame = glow_frame(make_framebuffer(GL_TEXTURE_2D, color, 0));
     frame.depth_source = EW_DEPTH_TEXTURE_LINEAR;
     frame.depth_texture = linear;
@@ -1052,7 +928,7 @@ static void a_depth_texture_smaller_than_what_is_drawn_is_refused(void **unused)
     frame.framebuffer = 0;
     glow_refuse(effect, &frame, EW_ERROR_INVALID_ARGUMENT, "depth_texture");
     if (api_has(45, NEVER, "GL_ARB_direct_state_access")) {
-        const GLuint color = make_float_texture();
+        const GLuint color = make_float_texture(WIDTH, HEIGHT);
         frame.framebuffer = make_framebuffer(GL_TEXTURE_2D, color, 0);
         glow_refuse(effect, &frame, EW_ERROR_INVALID_ARGUMENT, "depth_texture");
         gl.DeleteFramebuffers(1, &frame.framebuffer);
@@ -1074,7 +950,7 @@ static void a_viewport_larger_than_the_target_needs_no_more_depth_than_that(void
         frame.viewport_y = -tile * HEIGHT;
         glow_draw(effect, &frame);
     }
-    const GLuint color = make_float_texture();
+    const GLuint color = make_float_texture(WIDTH, HEIGHT);
     frame.framebuffer = make_framebuffer(GL_TEXTURE_2D, color, 0);
     frame.viewport_x = frame.viewport_y = 0;
     glow_draw(effect, &frame);

@@ -282,6 +282,42 @@ static void a_call_compiles_links_or_draws(void **state)
     ew_destroy_effect(effect);
 }
 
+/* Some drivers finish a shader only when it draws. Of all kinds of sources, a shader for each of the four parts and one for
+ * their sum are compiled, and each makes its first draw in a call of its own. */
+static void a_call_draws_with_one_shader_for_the_first_time(void **state)
+{
+    (void)state;
+    enum { SHADERS = 5 };
+    watched_gl_start(&watched, context);
+    watched.completion_delay = 0;
+    ew_effect *effect = create_effect();
+    ew_frame_desc frame = make_frame(target, EW_OUTPUT_ADD);
+    const ew_mix mix = {.point_count = EW_ANY_COUNT,
+                        .line_count = EW_ANY_COUNT,
+                        .torus_count = EW_ANY_COUNT,
+                        .curve_count = EW_ANY_COUNT,
+                        .path_count = EW_ANY_COUNT,
+                        .has_bends = 1};
+    int steps_left = -1;
+    for (int i = 0; i < COMPILE_AND_LINK; i++) {
+        assert_int_equal(ew_prepare_step(effect, &mix, &frame, &steps_left, NULL), EW_OK);
+        assert_int_equal(steps_left, (2 - i) * SHADERS);
+    }
+    assert_int_equal(watched.compiled, 2 * SHADERS);
+    assert_int_equal(watched.linked, SHADERS);
+    for (int drawn = 1; drawn <= SHADERS; drawn++) {
+        assert_int_equal(ew_prepare_step(effect, &mix, &frame, &steps_left, NULL), EW_OK);
+        assert_int_equal(steps_left, SHADERS - drawn);
+        assert_int_equal(watched.drawn, drawn);
+    }
+    field f;
+    picture drawn;
+    set_field(effect, &f, 1, 1, 1, 1, false);
+    draw(effect, &frame, &drawn);
+    assert_int_equal(watched.compiled, 2 * SHADERS);
+    ew_destroy_effect(effect);
+}
+
 static void an_effect_destroyed_while_it_compiles_loses_nothing(void **state)
 {
     (void)state;
@@ -375,6 +411,7 @@ int main(int argc, char **argv)
         cmocka_unit_test(a_shader_with_reaches_draws_sources_without),
         cmocka_unit_test(nothing_waits_for_a_compiler_that_is_at_work),
         cmocka_unit_test(a_call_compiles_links_or_draws),
+        cmocka_unit_test(a_call_draws_with_one_shader_for_the_first_time),
         cmocka_unit_test(an_effect_destroyed_while_it_compiles_loses_nothing),
         cmocka_unit_test(a_driver_that_refuses_a_shader_is_an_error),
         cmocka_unit_test(what_cannot_be_drawn_cannot_be_prepared),

@@ -120,6 +120,19 @@ static void write_permutation(const shader_profile *profile, ew_key key)
     write_strings(profile->name, "", key, "vert", text.strings, text.count);
 }
 
+/* The parts into which sources are divided, and what becomes of their sum. */
+static void write_parts(const shader_profile *profile, ew_key key)
+{
+    static const ew_pass passes[] = {EW_PASS_WAVE, EW_PASS_NODES, EW_PASS_CELLS};
+    if (!ew_permutation_can_be_split(key)) return;
+    for (int part = 0; part < EW_PART_COUNT; ++part)
+        for (size_t i = 0; ew_permutation_has_part(key, (ew_part)part) && i < sizeof passes / sizeof passes[0]; ++i)
+            write_pass(profile, passes[i], ew_permutation_of_part(key, (ew_part)part));
+    write_pass(profile, EW_PASS_WAVE, ew_permutation_summed(key));
+    write_pass(profile, EW_PASS_CELLS, ew_permutation_summed(key));
+    write_pass(profile, EW_PASS_SURFACES, ew_permutation_summed(0));
+}
+
 /* Every integral that the kinds can have. */
 static void write_integrals(const shader_profile *profile, unsigned kinds, size_t first_count)
 {
@@ -138,6 +151,7 @@ static void write_integrals(const shader_profile *profile, unsigned kinds, size_
             ew_key exact = with_kinds(key | fields[field], kinds, first_count);
             bool has_lists = first_count == EW_ANY_COUNT && !(key & EW_PERMUTATION_SIMPSON);
             write_permutation(profile, has_lists ? ew_permutation_with_lists(exact) : exact);
+            if (kinds == all_kinds) write_parts(profile, has_lists ? ew_permutation_with_lists(exact) : exact);
         }
     }
 }
@@ -183,6 +197,9 @@ static void write_surfaces(const shader_profile *profile)
         for (int kind = 0; kind < EW_KIND_COUNT; ++kind)
             write_pass(profile, EW_PASS_SURFACES, ew_permutation_with_count(key | (kind % 2 ? shaded : 0), kind, 1));
         write_pass(profile, EW_PASS_SURFACES, many | shaded);
+        for (int part = 0; part < EW_PART_COUNT; ++part)
+            if (ew_permutation_has_part(many, (ew_part)part))
+                write_pass(profile, EW_PASS_SURFACES, ew_permutation_of_part(many | shaded, (ew_part)part));
         write_pass(profile, EW_PASS_SURFACES, many | EW_PERMUTATION_SHADOWS | EW_PERMUTATION_DEPTH_MULTISAMPLE);
         write_pass(profile, EW_PASS_SURFACES, many | EW_PERMUTATION_DEPTH_MULTISAMPLE);
         write_pass(profile, EW_PASS_SURFACES, many | EW_PERMUTATION_SOURCE_TEXTURE);
@@ -211,6 +228,8 @@ static void write_passes(const shader_profile *profile)
                 ew_key general = ew_permutation_with_lists(with_kinds(key, all_kinds, EW_ANY_COUNT));
                 write_fragment_shader(profile, general);
                 write_grid_passes(profile, general);
+                write_parts(profile, general);
+                if (outputs[output] == 0) write_parts(profile, general | EW_PERMUTATION_SOURCE_TEXTURE);
                 if (outputs[output] == 0) write_grid_passes(profile, general | EW_PERMUTATION_SOURCE_TEXTURE);
                 write_fragment_shader(profile, with_kinds(key | EW_PERMUTATION_SIMPSON, all_kinds, 1));
             }
@@ -234,6 +253,7 @@ static void write_fogs(const shader_profile *profile)
             ew_key with_lists = ew_permutation_with_lists(with_kinds(general, all_kinds, EW_ANY_COUNT));
             write_permutation(profile, with_lists);
             write_grid_passes(profile, with_lists);
+            write_parts(profile, with_lists);
             write_permutation(profile, with_kinds(general | EW_PERMUTATION_SIMPSON, all_kinds, 1));
         }
 }
@@ -313,10 +333,10 @@ int main(int argc, char **argv)
      * sources fit between the stages, or not even a curve; the profiles' least versions; hardware and software. */
     size_t smallest = ew_sources_capacity(16384), largest = ew_sources_capacity(65536);
     const shader_profile profiles[] = {
-        {"330", {false, false, 0, largest, 4096}, "#version 330\n"},
-        {"330-software", {false, true, 31, largest, 4096}, NULL},
-        {"300es-software", {true, true, 16, smallest, 1024}, NULL},
-        {"300es", {true, false, 16, smallest, 1024}, "#version 300 es\n"},
+        {"330", {false, false, false, 0, largest, 4096}, "#version 330\n"},
+        {"330-software", {false, true, true, 31, largest, 4096}, NULL},
+        {"300es-software", {true, false, true, 16, smallest, 1024}, NULL},
+        {"300es", {true, true, false, 16, smallest, 1024}, "#version 300 es\n"},
     };
     for (size_t i = 0; i < sizeof profiles / sizeof profiles[0]; ++i) {
         write_all_integrals(&profiles[i]);

@@ -1,6 +1,8 @@
 /* Paths as chains of pieces, against each kind's own definition. */
 #include "check.h"
+#include "model/arc.h"
 #include "model/path.h"
+#include "model/vector.h"
 
 #include <stdlib.h>
 
@@ -398,6 +400,48 @@ static void as_many_pieces_as_promised_are_taken(void **state)
     check_close(pieces[count - 1].domain[1], 1, 0);
 }
 
+/* All of an arc is in its ball and its cylinder. Of a straight one, neither is larger than it must be. */
+static void check_bounds(const ew_arc *arc, bool is_straight)
+{
+    const double rounding = 1e-12;
+    double axis[3], radius = ew_cylinder_of_arc(arc, axis), farthest = 0;
+    const ew_ball ball = ew_ball_of_arc(arc);
+    check_close(ew_dot(axis, axis), 1, rounding);
+    for (int k = 0; k <= SAMPLES; ++k) {
+        double u = (double)k / SAMPLES, away[3], across[3];
+        for (int i = 0; i < 3; ++i)
+            away[i] = arc->start[i] + u * (arc->tangent[i] + u * arc->bend[i]) - ball.center[i];
+        ew_cross(away, axis, across);
+        farthest = fmax(farthest, sqrt(ew_dot(away, away)));
+        assert_true(sqrt(ew_dot(across, across)) <= radius + rounding);
+    }
+    assert_true(farthest <= ball.radius + rounding);
+    if (!is_straight) return;
+    check_close(farthest, ball.radius, rounding);
+    assert_true(radius <= 1e-6 * ball.radius);
+}
+
+static void pieces_are_in_their_balls_and_cylinders(void **state)
+{
+    (void)state;
+    static made_path made;
+    srand(7);
+    for (int round = 0; round < 20; ++round) {
+        make_random(&made, round % 2 ? EW_PATH_BSPLINE : EW_PATH_CATMULL_ROM, 9, round % 4 > 1);
+        for (size_t k = 0; k < made.count; ++k) {
+            const ew_quadratic *curve = &made.pieces[k].curve;
+            ew_arc arc;
+            memcpy(arc.start, curve->polynomial[0], sizeof arc.start);
+            memcpy(arc.tangent, curve->polynomial[1], sizeof arc.tangent);
+            memcpy(arc.bend, curve->polynomial[2], sizeof arc.bend);
+            check_bounds(&arc, false);
+        }
+    }
+    check_bounds(&(ew_arc){.tangent = {1, 2, 3}}, true);
+    check_bounds(&(ew_arc){.tangent = {2, 0, 0}, .bend = {-2, 0, 0}}, false); /* folded back on itself */
+    check_bounds(&(ew_arc){.start = {1, 2, 3}}, false);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -408,6 +452,7 @@ int main(void)
         cmocka_unit_test(pieces_are_straight_if_collinear_and_in_order),
         cmocka_unit_test(coincident_points_keep_the_shares),
         cmocka_unit_test(a_path_may_be_a_point),
+        cmocka_unit_test(pieces_are_in_their_balls_and_cylinders),
         cmocka_unit_test(wrong_counts_are_refused),
         cmocka_unit_test(wrong_members_are_refused),
         cmocka_unit_test(too_many_pieces_are_refused),

@@ -136,6 +136,79 @@ static void media_are_seen_in_pictures_and_dim_all_that_is_measured(void **state
     assert_false(ew_permutation_of(&point, &frame) & EW_PERMUTATION_MEDIA);
 }
 
+static const ew_mix all_kinds = {
+    .point_count = 3, .line_count = 3, .torus_count = 3, .curve_count = 3, .path_count = 3, .has_weights = 1, .has_bends = 1};
+
+/* Or its light would be added twice, or not at all. */
+static void every_source_is_of_one_part(void **state)
+{
+    (void)state;
+    const ew_key all = ew_permutation_of(&all_kinds, &defaults);
+    for (int kind = 0; kind < EW_KIND_COUNT; ++kind) {
+        int straight = 0, bent = 0;
+        for (int part = 0; part < EW_PART_COUNT; ++part) {
+            const ew_key key = ew_permutation_of_part(all, (ew_part)part);
+            if (ew_permutation_count(key, kind) == 0) continue;
+            assert_true(ew_permutation_has_part(all, (ew_part)part));
+            assert_true(key & EW_PERMUTATION_PART);
+            if (key & EW_PERMUTATION_BENDS)
+                bent++;
+            else
+                straight++;
+        }
+        assert_int_equal(straight, 1);
+        assert_int_equal(bent, ew_kinds[kind]->chain ? 1 : 0);
+    }
+}
+
+/* A shader for bent paths leaves out the straight ones, and the other way round. */
+static void no_part_covers_another(void **state)
+{
+    (void)state;
+    const ew_key all = ew_permutation_of(&all_kinds, &defaults);
+    for (int part = 0; part < EW_PART_COUNT; ++part)
+        for (int other = 0; other < EW_PART_COUNT; ++other)
+            assert_int_equal(
+                ew_permutation_covers(ew_permutation_of_part(all, (ew_part)part), ew_permutation_of_part(all, (ew_part)other)),
+                part == other);
+    const ew_mix beams = {.path_count = 1}, bends = {.path_count = 2, .has_bends = 1};
+    const ew_key straight = ew_permutation_of_part(ew_permutation_of(&beams, &defaults), EW_PART_STRAIGHT);
+    const ew_key bent = ew_permutation_of_part(ew_permutation_of(&bends, &defaults), EW_PART_BENDS);
+    assert_false(ew_permutation_covers(bent, straight) || ew_permutation_covers(straight, bent));
+}
+
+static void what_is_long_is_split_where_light_can_be_summed_up(void **state)
+{
+    (void)state;
+    static const struct {
+        ew_mix mix;
+        bool is_split, is_split_in_fog;
+    } cases[] = {
+        {{.point_count = 0}, false, false},
+        {{.point_count = 9, .line_count = 9}, false, false},
+        {{.point_count = 1, .torus_count = 1}, false, true},
+        {{.curve_count = 9}, false, false},
+        {{.point_count = 1, .curve_count = 1}, true, true},
+        {{.path_count = 9, .has_joints = 1}, false, false},
+        {{.path_count = 9, .has_bends = 1}, false, true},
+        {{.point_count = 1, .path_count = 1, .has_bends = 1}, true, true},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; ++i) {
+        const ew_key key = ew_permutation_of(&cases[i].mix, &defaults);
+        assert_int_equal(ew_permutation_is_split(key), cases[i].is_split);
+        assert_int_equal(ew_permutation_is_split(key | EW_PERMUTATION_FOG), cases[i].is_split_in_fog);
+    }
+    ew_frame_desc frame = defaults;
+    const ew_key all = ew_permutation_of(&all_kinds, &frame);
+    assert_true(ew_permutation_is_split(all));
+    assert_false(ew_permutation_is_split(ew_permutation_with_depth(all, EW_DEPTH_KIND_MULTISAMPLE)));
+    frame.output = EW_OUTPUT_EVALUATIONS;
+    assert_false(ew_permutation_is_split(ew_permutation_of(&all_kinds, &frame)));
+    frame = defaults;
+    frame.integrator = EW_INTEGRATOR_SIMPSON;
+    assert_false(ew_permutation_is_split(ew_permutation_of(&all_kinds, &frame)));
+}
+
 static void bends_count_only_where_there_are_paths(void **state)
 {
     (void)state;
@@ -171,6 +244,9 @@ int main(void)
         cmocka_unit_test(the_world_integral_has_reaches_and_cores_as_wide_as_pixels),
         cmocka_unit_test(fog_counts_only_where_there_is_some),
         cmocka_unit_test(media_are_seen_in_pictures_and_dim_all_that_is_measured),
+        cmocka_unit_test(every_source_is_of_one_part),
+        cmocka_unit_test(no_part_covers_another),
+        cmocka_unit_test(what_is_long_is_split_where_light_can_be_summed_up),
         cmocka_unit_test(bends_count_only_where_there_are_paths),
         cmocka_unit_test(shaders_with_and_without_reaches_do_not_cover_each_other),
     };

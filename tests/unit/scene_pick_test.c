@@ -129,6 +129,31 @@ static void the_nearest_wall_is_found(void **state)
     scene_free(&scene);
 }
 
+/* A medium is found where it is entered in front of what is opaque, and sources shine through it. */
+static void media_are_found_from_outside(void **state)
+{
+    (void)state;
+#define GLASS "{ \"shape\": \"box\", \"min\": [-1, -1, 1], \"max\": [1, 1, 1.1], \"extinction\": 2 }"
+#define SMOKE                                                                                                                  \
+    "{ \"shape\": \"ellipsoid\", \"center\": [0, 0, 0], \"radii\": [1, 4, 2], \"extinction\": 2,"                              \
+    " \"axes\": [[0, 0, 1], [1, 0, 0], [0, 1, 0]] }"
+#define MEDIA(media) "{ " CAMERA " }, " SPHERE ", \"media\": [" media "] }"
+    assert_int_equal(pick(MEDIA(GLASS), 0, 0), PART_MEDIUM);
+    assert_int_equal(pick(MEDIA(GLASS), 0.15, 0), PART_OPAQUE);
+    /* The ellipsoid is 4 wide, 2 high and 1 deep. */
+    assert_int_equal(pick(MEDIA(SMOKE), 0.35, 0), PART_MEDIUM);
+    assert_int_equal(pick(MEDIA(SMOKE), 0, 0.35), PART_MEDIUM);
+    assert_int_equal(pick(MEDIA(SMOKE), 0.35, 0.35), -1);
+    assert_int_equal(pick("{ " CAMERA " }, " ORB ", " SPHERE ", \"media\": [" GLASS "] }", 0, 0), PART_POINT);
+    /* Neither what is behind, nor what stops nothing, nor what the eye is in. */
+#define BALL(z, radius, extinction)                                                                                            \
+    "{ \"shape\": \"sphere\", \"center\": [0, 0, " #z "], \"radius\": " #radius ", \"extinction\": " #extinction " }"
+    assert_int_equal(pick(MEDIA(BALL(-3, 1, 1)), 0, 0), PART_OPAQUE);
+    assert_int_equal(pick(MEDIA(BALL(3, 1, 0)), 0, 0), PART_OPAQUE);
+    assert_int_equal(pick(MEDIA(BALL(9, 2, 1)), 0, 0), PART_OPAQUE);
+    assert_int_equal(pick(MEDIA(BALL(3, 1, 1)), 0, 0), PART_MEDIUM);
+}
+
 /* Adds the pieces up, and checks that they hang together. */
 typedef struct walk {
     double length;
@@ -194,6 +219,33 @@ static void shapes_of_paths_begin_and_end_where_the_paths_do(void **state)
     check_ends(&w, (double[]){0, 0, 0}, (double[]){0, 0, 0}, 4 * 2.1019);
 }
 
+static void add_length(void *user, const double a[3], const double b[3])
+{
+    double way[3];
+    vector_subtract(b, a, way);
+    *(double *)user += vector_length(way);
+}
+
+static double length_of_medium(const char *medium)
+{
+    char text[600];
+    double length = 0;
+    snprintf(text, sizeof text, "{ " CAMERA " }, \"media\": [{ %s, \"extinction\": 1 }] }", medium);
+    demo_scene scene = parse(text);
+    part_shape(&scene, (scene_part){PART_MEDIUM, 0}, add_length, &length);
+    scene_free(&scene);
+    return length;
+}
+
+/* A box has four edges along each axis, and a ball three circles, which are polygons of 64 sides. */
+static void shapes_of_media_are_their_edges(void **state)
+{
+    (void)state;
+    check_close(length_of_medium("\"shape\": \"box\", \"min\": [0, 0, 0], \"max\": [2, 2, 4]"), 4 * (2 + 2 + 4), 1e-12);
+    double side = 2 * 2 * sin(acos(-1) / 64);
+    check_close(length_of_medium("\"shape\": \"sphere\", \"center\": [1, 2, 3], \"radius\": 2"), 3 * 64 * side, 1e-9);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -202,6 +254,8 @@ int main(void)
         cmocka_unit_test(the_brightest_is_found),
         cmocka_unit_test(walls_are_found_and_nothing_behind_them),
         cmocka_unit_test(the_nearest_wall_is_found),
+        cmocka_unit_test(media_are_found_from_outside),
+        cmocka_unit_test(shapes_of_media_are_their_edges),
         cmocka_unit_test(shapes_of_paths_begin_and_end_where_the_paths_do),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

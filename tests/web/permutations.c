@@ -1,6 +1,7 @@
 /*
  * Draws every kind of source with every option that a shader knows of, a frame each, by WebGL 2 on the page's canvas. Each
- * frame has an effect of its own, so that its shaders are compiled anew. permutations.mjs calls it, and measures.
+ * frame has an effect of its own, so that its shaders are compiled anew, step by step, before it is drawn. permutations.mjs
+ * calls it, and measures.
  */
 #include <emscripten.h>
 #include <emscripten/html5.h>
@@ -282,19 +283,45 @@ static ew_frame_desc frame_of(unsigned options)
 
 static unsigned char pixels[SIZE * SIZE * 4];
 
-/* Draws a frame, and waits for it. Returns what is wrong, or nothing. */
+static ew_effect *effect;
+static ew_error error;
+
+/* Makes the effect for a frame. Like the next two, it returns what is wrong, or nothing. */
+EMSCRIPTEN_KEEPALIVE const char *begin_frame(int i)
+{
+    error.text[0] = '\0';
+    effect = NULL;
+    if (ew_create_effect(&(ew_effect_desc){.get_proc_address = get_proc_address}, &effect, &error) == EW_OK)
+        set_sources(effect, &cases[i], &error);
+    return error.text;
+}
+
+static int steps_left;
+
+/* Takes a step towards the frame's shaders, and waits for what it does. */
+EMSCRIPTEN_KEEPALIVE const char *prepare_frame(int i)
+{
+    const ew_frame_desc frame = frame_of(cases[i].options);
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    ew_prepare_step(effect, NULL, &frame, &steps_left, &error);
+    glReadPixels(0, 0, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, pixels);
+    return error.text;
+}
+
+EMSCRIPTEN_KEEPALIVE int count_steps_left(void)
+{
+    return steps_left;
+}
+
+/* Draws the frame, waits for it, and destroys the effect. */
 EMSCRIPTEN_KEEPALIVE const char *draw_frame(int i)
 {
-    static ew_error error;
     const ew_frame_desc frame = frame_of(cases[i].options);
-    ew_effect *effect = NULL;
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     const bool lights_surfaces = cases[i].options & SURFACES; /* what is there, times the light */
     glClearColor(lights_surfaces ? 0.25f : 0, 0, 0, 1);
     glClear(GL_COLOR_BUFFER_BIT);
-    error.text[0] = '\0';
-    if (ew_create_effect(&(ew_effect_desc){.get_proc_address = get_proc_address}, &effect, &error) == EW_OK &&
-        set_sources(effect, &cases[i], &error) == EW_OK && ew_draw(effect, &frame, &error) == EW_OK) {
+    if (error.text[0] == '\0' && ew_draw(effect, &frame, &error) == EW_OK) {
         glReadPixels(0, 0, SIZE, SIZE, GL_RGBA, GL_UNSIGNED_BYTE, pixels);
         size_t lit = 0;
         for (size_t k = 0; k < sizeof pixels; k += 4)

@@ -24,12 +24,16 @@ window.begin = async () => {
     return Array.from({ length: module._count_frames() }, (_, i) => module.UTF8ToString(module._name_frame(i)));
 };
 
-// Draws the i-th frame. Returns what is wrong with it, how long it took, and its pixels, if these are wanted.
-window.drawFrame = (i, wantsPixels) => {
+// Begins with the i-th frame, and takes a step towards its shaders. These return what is wrong, and the second how many steps are left.
+window.beginFrame = (i) => {
     points = errors = 0;
-    const begin = performance.now();
+    return { fault: module.UTF8ToString(module._begin_frame(i)) };
+};
+window.prepareFrame = (i) => ({ fault: module.UTF8ToString(module._prepare_frame(i)), stepsLeft: module._count_steps_left() });
+
+// Draws it. Returns what is wrong with it, and its pixels, if these are wanted.
+window.drawFrame = (i, wantsPixels) => {
     const fault = module.UTF8ToString(module._draw_frame(i));
-    const milliseconds = performance.now() - begin;
     const first = module._last_pixels();
-    return { fault, milliseconds, points, errors, pixels: wantsPixels ? Array.from(module.HEAPU8.subarray(first, first + module._last_pixels_size())) : [] };
+    return { fault, points, errors, pixels: wantsPixels ? Array.from(module.HEAPU8.subarray(first, first + module._last_pixels_size())) : [] };
 };

@@ -233,7 +233,7 @@ const tests = {
     },
     'every kind can be added, and hidden, and every control leaves a scene that ew-render takes': async () => {
         await startFrom('empty');
-        for (const name of ['orb', 'beam', 'path', 'spiral', 'ring', 'line', 'curve', 'shape']) await page.click(`#add-${name}`);
+        for (const name of ['orb', 'beam', 'path', 'spiral', 'ring', 'line', 'curve', 'shape', 'medium']) await page.click(`#add-${name}`);
         for (const part of await page.locator('#parts .part').all()) {
             await part.click();
             for (const range of await page.locator('#controls input[type=range]').all()) {
@@ -242,6 +242,7 @@ const tests = {
             for (const kind of ['polyline', 'bspline', 'bezier', 'catmull_rom'])
                 if (await page.locator('#kind').count()) await page.selectOption('#kind', kind);
             if (await page.locator('#add-weights').count()) await page.click('#add-weights');
+            for (const shape of await page.locator('#shape option').allTextContents()) await page.selectOption('#shape', shape);
         }
         await page.keyboard.press('Escape');
         writeFileSync(`${folder}/everything.json`, await saved());
@@ -257,6 +258,46 @@ const tests = {
             const counted = lit.filter((_, i) => dark[i] <= most), left = lit.length - counted.length;
             expect(Math.max(...counted) <= most && left <= mostLeft * lit.length, `${name}: ${Math.max(...counted)}/255 off, ${left} silhouettes`);
         }
+    },
+    'a medium is added, dragged, made denser and another shape, clicked on, removed and brought back': async () => {
+        await startFrom('empty');
+        await page.click('#add-medium');
+        const drag = async (index, x, y) => {
+            const box = await page.locator('circle.handle').nth(index).boundingBox();
+            await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
+            await page.mouse.down();
+            await page.mouse.move(box.x + box.width / 2 + x, box.y + box.height / 2 + y, { steps: 4 });
+            await page.mouse.up();
+        };
+        const medium = async () => (await savedScene()).media[0], first = await medium();
+        await drag(0, 0, -60);
+        await drag(1, 40, 0);
+        const dragged = await medium();
+        expect(dragged.center[1] > first.center[1] + 0.3 && Math.abs(dragged.center[0] - first.center[0]) < 1e-3, `dragged up, it is at ${dragged.center}`);
+        expect(dragged.radius > first.radius + 0.2, `drawn to the right, its radius is ${dragged.radius}`);
+        await page.fill('#extinction-number', '2.5');
+        await page.fill('#albedo-number', '7'); // more than all
+        await page.keyboard.press('Tab');
+        await page.fill('#color', '#ff0000');
+        await page.selectOption('#shape', 'ellipsoid');
+        await drag(2, 0, -50);
+        const shaped = await medium();
+        expect(shaped.extinction === 2.5 && shaped.albedo === 1 && shaped.ambient.join() === '1,0,0', `it is ${JSON.stringify(shaped)}`);
+        expect(shaped.shape === 'ellipsoid' && shaped.radius === undefined && shaped.radii[1] > 0.6 && shaped.radii[0] === 0.8, `it is ${JSON.stringify(shaped)}`);
+        await look('medium');
+        const middle = await page.locator('circle.handle').first().boundingBox();
+        await page.keyboard.press('Escape');
+        await page.mouse.click(middle.x + middle.width / 2, middle.y + middle.height / 2);
+        expect((await page.textContent('#selected-title')) === 'Medium 1', `${await page.textContent('#selected-title')} was chosen`);
+        await page.keyboard.press('Delete');
+        expect(!(await savedScene()).media, 'Delete did not delete');
+        await page.keyboard.press('Control+z');
+        await rests();
+        const png = await pagePng();
+        writeFileSync(`${folder}/saved.json`, await saved());
+        expect(JSON.stringify(await medium()) === JSON.stringify(shaped), 'undo did not bring it back');
+        const counted = (await differences(png, renderNatively(`${folder}/saved.json`))).filter((difference) => difference > most).length;
+        expect(counted <= mostLeft * pngSize[0] * pngSize[1], `${counted} pixels of the PNG are another picture`);
     },
     'one finger looks around, two come closer, and a tap chooses': async () => {
         await startFrom('empty');
@@ -329,10 +370,11 @@ const tests = {
         await startFrom('portal');
         await page.click('#add-curve');
         await page.click('#add-line');
+        await page.click('#add-medium');
         await page.click('#copy-c');
         await page.waitForFunction(() => /C code/.test(document.getElementById('message-text').textContent));
         writeFileSync(`${folder}/copied.h`, await page.evaluate(() => navigator.clipboard.readText()));
-        const scene = await savedScene(), { points, lines, tori, curves, paths, ...rest } = scene;
+        const scene = await savedScene(), { points, lines, tori, curves, paths, media, ...rest } = scene;
         writeFileSync(`${folder}/saved.json`, JSON.stringify(scene));
         writeFileSync(`${folder}/rest.json`, JSON.stringify(rest));
         const libraries = execFileSync('sh', ['-c', 'pkg-config --libs jansson egl; pkg-config --libs osmesa || true'], { encoding: 'utf8', stdio: ['ignore', 'pipe', 'ignore'] }).split(/\s+/).filter(Boolean);

@@ -1,6 +1,7 @@
-/* What paths cost, at 320 x 180. The commonest beam, straight and with two ends: 16 of them beside 16 infinite lines, which
- * have one closed form. And smooth paths, of 8 and 24 bent pieces, beside as many curves. Prints the medians of rounds in which
- * both take turns, and their ratio.
+/* What paths cost, at 320 x 180, beside infinite lines and curves. The commonest beam, straight and with two ends, beside an
+ * infinite line, which has one closed form: one and 16 of them, that end in the picture or beyond it. And smooth paths, of 8
+ * and 24 bent pieces, beside as many curves. Of each frame it prints the least processor time of rounds in which both take
+ * turns, and their ratio, which on llvmpipe with LP_NUM_THREADS=0 repeats within 2 %, even on a machine that is busy.
  *
  *     beam_cost CONTEXT [LARGEST_RATIO]    fails if a ratio of beams to lines is larger, or one of paths to curves than 1.2
  *     contexts are those of context.h */
@@ -19,18 +20,21 @@ enum { WIDTH = 320, HEIGHT = 180, BEAMS = 16, ROUNDS = 15, WARM_UP = 3 };
 static ew_effect *effect;
 static canvas target;
 
-/* The same places for both: from (-1, y, 0) to (1, y + 0.1, 0.4). */
+/* The same places for both: from (-1, y, 0) to (1, y + 0.1, 0.4), times the beams' length. */
 typedef struct beams {
     double ends[BEAMS][2][3];
     ew_path paths[BEAMS];
     ew_line lines[BEAMS];
 } beams;
 
-static void make_beams(beams *made)
+static void make_beams(double length, beams *made)
 {
     for (int i = 0; i < BEAMS; i++) {
-        const double y = 0.1 * i - 0.8, ends[2][3] = {{-1, y, 0}, {1, y + 0.1, 0.4}};
-        memcpy(made->ends[i], ends, sizeof ends);
+        const double y = 0.1 * i - 0.8, middle[3] = {0, y + 0.05, 0.2}, half[3] = {1, 0.05, 0.2};
+        for (int k = 0; k < 3; k++) {
+            made->ends[i][0][k] = middle[k] - length * half[k];
+            made->ends[i][1][k] = middle[k] + length * half[k];
+        }
         made->paths[i] = (ew_path){.points = (const double(*)[3])made->ends[i], .point_count = 2};
         made->paths[i].brightness = 0.2;
         made->paths[i].core = 0.01;
@@ -60,31 +64,24 @@ static double draw(const ew_sources_desc *sources, const ew_frame_desc *frame)
     GLfloat pixel[4];
     ew_error error;
     if (ew_set_sources(effect, sources, &error) != EW_OK) abort();
-    clock_gettime(CLOCK_MONOTONIC, &before);
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &before);
     if (ew_draw(effect, frame, &error) != EW_OK) abort();
     gl.BindFramebuffer(GL_FRAMEBUFFER, target.framebuffer);
     gl.ReadPixels(0, 0, 1, 1, GL_RGBA, GL_FLOAT, pixel); /* waits */
-    clock_gettime(CLOCK_MONOTONIC, &after);
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &after);
     return (double)(after.tv_sec - before.tv_sec) + 1e-9 * (double)(after.tv_nsec - before.tv_nsec);
-}
-
-static int compare(const void *a, const void *b)
-{
-    double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
 }
 
 static double measure_ratio(const char *what, const ew_sources_desc sources[2], const ew_frame_desc *frame)
 {
-    double seconds[2][ROUNDS];
+    double least[2] = {1e9, 1e9};
     for (int round = -WARM_UP; round < ROUNDS; round++)
-        for (int i = 0; i < 2; i++)
-            seconds[i][round < 0 ? 0 : round] = draw(&sources[i], frame);
-    for (int i = 0; i < 2; i++)
-        qsort(seconds[i], ROUNDS, sizeof seconds[i][0], compare);
-    double other = seconds[0][ROUNDS / 2], paths = seconds[1][ROUNDS / 2];
-    printf("%s: %.2f and %.2f ms, %.2f times\n", what, 1e3 * other, 1e3 * paths, paths / other);
-    return paths / other;
+        for (int i = 0; i < 2; i++) {
+            double seconds = draw(&sources[i], frame);
+            if (round >= 0 && seconds < least[i]) least[i] = seconds;
+        }
+    printf("%s: %.2f and %.2f ms, %.2f times\n", what, 1e3 * least[0], 1e3 * least[1], least[1] / least[0]);
+    return least[1] / least[0];
 }
 
 /* A wave from left to right as a B-spline, and its pieces as curves. */
@@ -119,35 +116,57 @@ static double measure_smooth_ratio(const char *what, int pieces, const ew_frame_
     return measure_ratio(what, sources, frame);
 }
 
+static double larger(double a, double b)
+{
+    return a > b ? a : b;
+}
+
+/* One and 16, that end in the picture and beyond it. */
+static double measure_beams(const char *what, const ew_frame_desc *frame, bool has_reach)
+{
+    static const double lengths[2] = {1, 4};
+    static beams made;
+    double largest = 0;
+    for (int length = 0; length < 2; length++) {
+        make_beams(lengths[length], &made);
+        for (int i = 0; i < BEAMS && !has_reach; i++) {
+            made.paths[i].brightness = made.lines[i].brightness = made.paths[i].reach = made.lines[i].reach = 0;
+            made.paths[i].coefficient = made.lines[i].coefficient = 0.03;
+        }
+        for (size_t count = 1; count <= BEAMS; count += BEAMS - 1) {
+            const size_t first = count == 1 ? BEAMS / 2 : 0;
+            const ew_sources_desc sources[2] = {{.lines = made.lines + first, .line_count = count},
+                                                {.paths = made.paths + first, .path_count = count}};
+            char text[120];
+            snprintf(text, sizeof text, "%s: %zu lines and beams that end %s the picture", what, count,
+                     length == 0 ? "in" : "beyond");
+            largest = larger(largest, measure_ratio(text, sources, frame));
+        }
+    }
+    return largest;
+}
+
 int main(int argc, char **argv)
 {
     gl_context *context = argc >= 2 ? open_context(argv[1], NULL) : NULL;
     if (!context) return 2;
-    static beams made;
-    make_beams(&made);
-    const ew_sources_desc sources[2] = {{.lines = made.lines, .line_count = BEAMS}, {.paths = made.paths, .path_count = BEAMS}};
     target = canvas_create(WIDTH, HEIGHT, GL_RGBA32F, 0, 0);
     if (ew_create_effect(&(ew_effect_desc){.get_proc_address = context_get_proc_address, .user = context}, &effect, NULL) !=
         EW_OK)
         return 2;
     ew_frame_desc frame = make_frame();
-    double ratio = measure_ratio("16 infinite lines and 16 beams, the world integral", sources, &frame);
+    double of_beams = measure_beams("world integral", &frame, true);
     double smooth = measure_smooth_ratio("8 curves and a path of 8 pieces", 8, &frame);
-    double long_smooth = measure_smooth_ratio("24 curves and a path of 24 pieces", 24, &frame);
+    smooth = larger(smooth, measure_smooth_ratio("24 curves and a path of 24 pieces", 24, &frame));
     frame.core_pixels = 0;
-    double without = measure_ratio("with cores as they are", sources, &frame);
+    of_beams = larger(of_beams, measure_beams("with cores as they are", &frame, true));
     frame.interval_start = 2;
     frame.interval_end = 6;
-    double papers = measure_ratio("the papers' integral", sources, &frame);
-    for (int i = 0; i < BEAMS; i++) {
-        made.paths[i].brightness = made.lines[i].brightness = made.paths[i].reach = made.lines[i].reach = 0;
-        made.paths[i].coefficient = made.lines[i].coefficient = 0.03;
-    }
-    double endless = measure_ratio("the papers' integral, without a reach", sources, &frame);
+    of_beams = larger(of_beams, measure_beams("papers' integral", &frame, true));
+    of_beams = larger(of_beams, measure_beams("papers' integral without a reach", &frame, false));
     ew_destroy_effect(effect);
     canvas_destroy(&target);
     close_context(context);
-    double largest = argc > 2 ? strtod(argv[2], NULL) : 1e9;
-    if (argc > 2 && (smooth > 1.2 || long_smooth > 1.2)) return EXIT_FAILURE;
-    return ratio <= largest && without <= largest && papers <= largest && endless <= largest ? EXIT_SUCCESS : EXIT_FAILURE;
+    bool is_held = argc <= 2 || (smooth <= 1.2 && of_beams <= strtod(argv[2], NULL));
+    return is_held ? EXIT_SUCCESS : EXIT_FAILURE;
 }

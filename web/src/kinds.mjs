@@ -1,5 +1,5 @@
 // One row for each kind of part: how a new one looks, its handles, and its shape as polylines, for the overlay and for picking.
-import { across, add, addScaled, length, mix, normalize, scale, subtract } from './vector.mjs';
+import { across, add, addScaled, dot, length, mix, normalize, scale, subtract } from './vector.mjs';
 
 const glow = (size) => ({ brightness: 3, core: 0.03 * size, reach: 0.6 * size, sharpness: 2, color: [0.1, 0.4, 1] });
 
@@ -19,6 +19,8 @@ const vectorHandle = (part, from, member, label, reach) => ({
         if (length(vector) > 0) changed[member] = normalize(vector);
     },
 });
+
+const worldAxes = [[1, 0, 0], [0, 1, 0], [0, 0, 1]];
 
 export function circle(center, axis, radius, count = 64) {
     const [u, v] = across(axis);
@@ -98,7 +100,26 @@ const boxHandles = (box) => [
     { label: 'largest corner', position: box.max, move: (changed, moved) => (changed.max = moved.map((x, i) => Math.max(x, changed.min[i] + thinnest))) },
 ];
 
+// One for the end of each radius, along its axis.
+const radiiHandles = ({ center, radii, axes = worldAxes }) => radii.map((radius, i) => ({
+    label: `radius ${i + 1}`, position: addScaled(center, radius, normalize(axes[i])),
+    move: (changed, moved) => (changed.radii[i] = Math.max(thinnest, Math.abs(dot(subtract(moved, changed.center), normalize(axes[i]))))) }));
+
+// An ellipse with the conjugate half axes u and v.
+const ellipse = (center, u, v, count = 64) => Array.from({ length: count + 1 }, (_, i) => {
+    const angle = (2 * Math.PI * i) / count;
+    return addScaled(addScaled(center, Math.cos(angle), u), Math.sin(angle), v);
+});
+
+// Of opaque shapes and of media, which may be ellipsoids but no planes.
 const shapes = {
+    ellipsoid: {
+        handles: (ellipsoid) => [positionHandle(ellipsoid, 'center', 'centre'), ...radiiHandles(ellipsoid)],
+        lines({ center, radii, axes = worldAxes }) {
+            const halves = radii.map((radius, i) => scale(normalize(axes[i]), radius));
+            return halves.map((half, i) => ellipse(center, half, halves[(i + 1) % 3]));
+        },
+    },
     box: { handles: boxHandles, lines: boxLines },
     plane: {
         handles: (plane) => [positionHandle(plane, 'point', 'point'), vectorHandle(plane, 'point', 'normal', 'normal', 1)],
@@ -108,7 +129,7 @@ const shapes = {
         handles: (sphere) => [positionHandle(sphere, 'center', 'centre'), {
             label: 'radius', position: add(sphere.center, [sphere.radius, 0, 0]),
             move: (changed, moved) => (changed.radius = Math.max(thinnest, length(subtract(moved, changed.center)))) }],
-        lines: ({ center, radius }) => [[1, 0, 0], [0, 1, 0], [0, 0, 1]].map((axis) => circle(center, axis, radius)),
+        lines: ({ center, radius }) => worldAxes.map((axis) => circle(center, axis, radius)),
     },
 };
 
@@ -160,6 +181,12 @@ export const kinds = {
         handles: (part) => shapes[part.shape].handles(part),
         lines: (part) => shapes[part.shape].lines(part),
     },
+    media: {
+        label: 'Medium',
+        create: (at, size) => ({ shape: 'sphere', center: at, radius: 0.6 * size, extinction: Number((1 / size).toPrecision(2)), albedo: 0.8, ambient: [0.1, 0.16, 0.24] }),
+        handles: (part) => shapes[part.shape].handles(part),
+        lines: (part) => shapes[part.shape].lines(part),
+    },
 };
 
 export function polynomialOf([a, b, c]) {
@@ -171,7 +198,7 @@ function polynomialHandles(part) {
     return [{ label: 'position', position: part.polynomial[0], move: (changed, moved) => (changed.polynomial[0] = moved) }];
 }
 
-export const isSource = (list) => list !== 'opaque';
+export const isSource = (list) => list !== 'opaque' && list !== 'media';
 export const hasWeights = (list) => list === 'paths' || list === 'curves';
 
 // A B-spline that winds round an axis that goes up through `at`, `height` high and as wide as `radius`.
@@ -201,4 +228,5 @@ export const additions = {
     line: { label: 'Endless line', list: 'lines', create: kinds.lines.create },
     curve: { label: 'Curve', list: 'curves', create: kinds.curves.create },
     shape: { label: 'Solid', list: 'opaque', create: kinds.opaque.create },
+    medium: { label: 'Medium', list: 'media', create: kinds.media.create },
 };

@@ -1,4 +1,4 @@
-// The list of lights and shapes.
+// The list of lights, shapes and media.
 import { element, hexOf } from './controls.mjs';
 import { isSource } from './kinds.mjs';
 import { colorOf, keysOf, listOf, nameOf } from './scene.mjs';

@@ -86,19 +86,29 @@ function pathControls(app, get, change) {
         refresh: () => (count.textContent = get().points.length) }];
 }
 
+function mediumControls(get, change) {
+    const number = (key, label, unit, min, max, log, most, fallback) => slider({ id: key, label, unit, min, max, log, get: () => get()[key] ?? fallback,
+        set: (value, isFinal) => change((changed) => (changed[key] = Math.min(Math.max(value, 0), most)), isFinal) });
+    return [number('extinction', 'Extinction', 'a unit', 0.01, 100, true, 1e12, 0), number('albedo', 'Albedo', '', 0, 1, false, 1, 0)];
+}
+
 function shapeControls(app, part, list, get, change) {
     const member = (key, label) => vector({ id: key, label, get: () => get()[key], set: (value, isFinal) => change((changed) => (changed[key] = value), isFinal) });
     const length = (key, label, max) => slider({ id: key, label, unit: 'units', min: 0.01, max, log: true, get: () => get()[key],
         set: (value, isFinal) => change((changed) => (changed[key] = Math.max(value, 1e-6)), isFinal) });
+    const radii = () => vector({ id: 'radii', label: 'Radii', get: () => get().radii,
+        set: (value, isFinal) => change((changed) => (changed.radii = value.map((radius) => Math.max(radius, 1e-6))), isFinal) });
     const shapes = { box: () => [member('min', 'Corner'), member('max', 'Corner')], plane: () => [member('point', 'Point'), member('normal', 'Normal')],
-        sphere: () => [member('center', 'Centre'), length('radius', 'Radius', 100)] };
+        sphere: () => [member('center', 'Centre'), length('radius', 'Radius', 100)], ellipsoid: () => [member('center', 'Centre'), radii()] };
+    const shapeOf = (...names) => select({ id: 'shape', label: 'Shape', options: names.map((name) => [name, name]), get: () => get().shape,
+        set: (shape) => change((changed) => setShape(changed, shape), true) });
     const kinds = {
         points: () => [member('position', 'Position')],
         lines: () => [member('position', 'Position'), member('direction', 'Direction')],
         tori: () => [member('center', 'Centre'), member('axis', 'Axis'), length('radius', 'Radius', 100)],
-        curves: () => [], paths: () => pathControls(app, get, change), opaque: () => [
-            select({ id: 'shape', label: 'Shape', options: [['box', 'box'], ['sphere', 'sphere'], ['plane', 'plane']], get: () => get().shape,
-                set: (shape) => change((changed) => setShape(changed, shape), true) }), ...shapes[part.shape]()],
+        curves: () => [], paths: () => pathControls(app, get, change),
+        opaque: () => [shapeOf('box', 'sphere', 'plane'), ...shapes[part.shape]()],
+        media: () => [...mediumControls(get, change), shapeOf('box', 'sphere', 'ellipsoid'), ...shapes[part.shape]()],
     };
     return kinds[list]();
 }
@@ -106,10 +116,11 @@ function shapeControls(app, part, list, get, change) {
 // The other shape takes the old one's place and colour.
 function setShape(part, shape) {
     const middle = part.shape === 'box' ? mix(part.min, part.max, 0.5) : part.center ?? part.point;
-    for (const key of ['min', 'max', 'center', 'radius', 'point', 'normal']) delete part[key];
+    for (const key of ['min', 'max', 'center', 'radius', 'radii', 'axes', 'point', 'normal']) delete part[key];
     part.shape = shape;
     if (shape === 'box') Object.assign(part, { min: addScaled(middle, -0.5, [1, 1, 1]), max: addScaled(middle, 0.5, [1, 1, 1]) });
     if (shape === 'sphere') Object.assign(part, { center: middle, radius: 0.5 });
+    if (shape === 'ellipsoid') Object.assign(part, { center: middle, radii: [0.8, 0.4, 0.4] });
     if (shape === 'plane') Object.assign(part, { point: middle, normal: [0, 1, 0] });
 }
 
@@ -121,7 +132,8 @@ function controlsOf(app, key) {
             if (name) changed.name = name;
             else delete changed.name;
         }, true) }),
-        color({ id: 'color', label: 'Colour', get: () => colorOf(app.history.current, key), set: (value, isFinal) => change((changed) => (changed.color = value), isFinal) })];
+        color({ id: 'color', label: list === 'media' ? 'Ambient light' : 'Colour', get: () => colorOf(app.history.current, key),
+            set: (value, isFinal) => change((changed) => (changed[list === 'media' ? 'ambient' : 'color'] = value), isFinal) })];
     if (isSource(list)) controls.push(...lightControls(app, part, get, change));
     controls.push(...shapeControls(app, part, list, get, change));
     if (hasWeights(list) && part.weights)

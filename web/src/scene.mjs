@@ -1,5 +1,5 @@
 // The document: a scene as its file has it, and which parts of it the page hides. Every function returns a new one.
-// A part is a source or an opaque shape; its key is its list and its index, such as "paths/2".
+// A part is a source, an opaque shape or a medium; its key is its list and its index, such as "paths/2".
 import { isSource, kinds } from './kinds.mjs';
 
 export const lists = Object.keys(kinds);
@@ -22,10 +22,13 @@ export const nameOf = (document, key) => {
     return partOf(document, key)?.name || `${kinds[list].label} ${Number(index) + 1}`;
 };
 
-// The colour of a source, which may be the scene's, and the one of a part.
+// The colour of a source, which may be the scene's, and the one of a part; a medium's is the light that comes to it.
 export const sourceColor = (scene, source) => source.color ?? scene.color ?? [0.2, 0.5, 1];
-export const colorOf = (document, key) =>
-    isSource(listOf(key)) ? sourceColor(document.scene, partOf(document, key)) : partOf(document, key).color ?? [0.8, 0.8, 0.8];
+export function colorOf(document, key) {
+    const part = partOf(document, key);
+    if (listOf(key) === 'media') return part.ambient ?? [1, 1, 1];
+    return isSource(listOf(key)) ? sourceColor(document.scene, part) : part.color ?? [0.8, 0.8, 0.8];
+}
 
 // With `change` made to a copy of the scene.
 export function withScene(document, change) {

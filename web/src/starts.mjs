@@ -13,6 +13,8 @@ const emptyScene = {
 
 const courtNames = { points: ['Orb', 'Impact'], tori: ['Shock ring'], paths: ['Bolt', 'Branch', 'Stream', 'Spiral', 'Slash', 'Beam'] };
 
+const courtMedia = ['Globe', 'Globe', 'Force field'];
+
 // The court at one moment as a scene: without sources that do not shine then.
 export function sceneOfCourt(text) {
     const scene = JSON.parse(text);
@@ -21,6 +23,7 @@ export function sceneOfCourt(text) {
         scene[list] = scene[list]?.filter((source) => source.brightness > 0.01 && !(source.weights && Math.max(...source.weights) < 0.01));
         if (!scene[list]?.length) delete scene[list];
     }
+    scene.media?.forEach((medium, i) => (medium.name = courtMedia[i]));
     return scene;
 }
 
@@ -28,7 +31,7 @@ export function sceneOfCourt(text) {
 export async function startScene(name, text) {
     if (name === 'empty') return structuredClone(emptyScene);
     if (name === 'hall') {
-        const { points, lines, tori, curves, paths, ...hall } = sceneOfCourt(text);
+        const { points, lines, tori, curves, paths, media, fog, ...hall } = sceneOfCourt(text);
         return hall;
     }
     const response = await fetch(`scenes/${name}.json`);
