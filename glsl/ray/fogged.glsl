@@ -7,8 +7,8 @@ const int EW_MAX_FOG_PANELS = 64;
 // Of moments about the middle of a panel whose source is so many half lengths away, little is left but rounding.
 const float EW_QUINTIC_FAR = 8.0;
 
-// How long a panel of ew_integrate_quintic may be from s on, for the polynomial to err by 4e-4 at worst, and mostly by 1e-4. With a decay it
-// errs most where the fog thickens.
+// How long a panel of ew_integrate_quintic may be from s on, for the polynomial to err by 4e-6 or, with a decay, by 4e-4 at worst and mostly
+// by 1e-4. With a decay it errs most where the fog thickens.
 float ew_longest_quintic(const float s, const vec4 weight)
 {
     float steepness = ew_fog_extinction + ew_body_extinction;
@@ -21,8 +21,11 @@ float ew_longest_quintic(const float s, const vec4 weight)
     steepness = ew_fog_extinction_at(s) + ew_body_extinction + max(of_thinning * ew_fog_rise, -1.5 * ew_fog_rise);
 #endif
     float scale = 1.0 / steepness;
+#ifdef EW_WORLD
+    // The ends and joints of a path cancel but for little, so an error of one of them counts many times.
+    float way = 0.9 * scale;
+#else
     float way = 1.9 * scale;
-#ifndef EW_WORLD
     float depth = s + ew_beta();
     float near = depth;
 #ifdef EW_FOG_HEIGHT

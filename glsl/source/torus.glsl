@@ -37,7 +37,7 @@ float ew_integrate_torus_panels(const ew_torus_side near, const vec2 near_core, 
 #endif
         bool reaches_stop = size >= remaining;
         size = reaches_stop ? remaining : size;
-        float light = ew_integrate_torus_panel(side, from, max(size, 1e-12), 1.5 * clearance);
+        float light = ew_integrate_torus_panel(side, from, max(size, 1e-16), 1.5 * clearance);
         sum += remaining > 0.0 ? light : 0.0;
         bool is_side_done = reaches_stop && stop >= side.end;
         if (is_side_done && (!is_near || far.end <= 0.0)) break;
