@@ -94,7 +94,7 @@ float ew_longest_in_fog(const float s, const float along, const float depth)
 
 vec4 ew_transmittance_of(const vec4 optical_depth)
 {
-    return exp2(-1.44269504 * optical_depth);
+    return exp2(-1.44269504 * clamp(optical_depth, 0.0, 100.0));
 }
 
 // The share of the light at s that reaches the place where the fog begins.

@@ -43,10 +43,11 @@ float ew_longest_quintic(const float s, const vec4 weight)
     return way;
 }
 
-// exp(x) for |x| < 2. Relative error 4e-4 at the ends, and 3e-5 where |x| < 1.4.
+// exp(x) for |x| < 2. Relative error 4e-4 at the ends, and 3e-5 where |x| < 1.4. Fog may be so thick that the shortest panel is more; then it
+// hides all that is in it, and x is bounded so that its powers are floats.
 vec3 ew_small_power(vec3 x)
 {
-    x *= 0.5;
+    x = clamp(0.5 * x, -1.0, 1.0);
     vec3 root = 1.0 + x * (1.0 + x * (0.5 + x * (0.16666667 + x * (0.041666667 + x * (0.0083333333 + x * 0.0013888889)))));
     return root * root;
 }
