@@ -557,11 +557,12 @@ typedef struct ew_frame_desc {
      *     samplers: there are none bound afterwards, so that a host which knows no samplers need not mind
      *   - the draw framebuffer and the read framebuffer
      *   - viewport 0's rectangle; draw buffer 0's blend enable, blend factors, blend equations and colour mask
-     *   - word 0 of the sample mask, glPolygonMode, and in the compatibility profile glClampColor for fragments
+     *   - glPolygonMode; in the compatibility profile glClampColor for fragments; before OpenGL 4.0 and OpenGL ES 3.2 word 0 of
+     *     the sample mask
      *   - glEnable and glDisable of GL_CULL_FACE, GL_DEPTH_TEST, GL_STENCIL_TEST, GL_RASTERIZER_DISCARD, GL_FRAMEBUFFER_SRGB,
      *     GL_MULTISAMPLE, GL_SAMPLE_ALPHA_TO_COVERAGE, GL_SAMPLE_ALPHA_TO_ONE, GL_SAMPLE_COVERAGE, GL_SAMPLE_MASK,
      *     GL_SAMPLE_SHADING, GL_POLYGON_SMOOTH, GL_POINT_SMOOTH, GL_POINT_SPRITE, GL_PROGRAM_POINT_SIZE, GL_COLOR_LOGIC_OP,
-     * GL_PRIMITIVE_RESTART, GL_CLIP_DISTANCEi, GL_ALPHA_TEST, GL_POLYGON_STIPPLE, GL_DEPTH_BOUNDS_TEST_EXT
+     *     GL_PRIMITIVE_RESTART, GL_CLIP_DISTANCEi, GL_ALPHA_TEST, GL_POLYGON_STIPPLE, GL_DEPTH_BOUNDS_TEST_EXT
      *
      * Where a context lacks the indexed form of a call, the state of all viewports or draw buffers is changed. None of the
      * host's objects is left changed. Transform feedback must be inactive or paused. */

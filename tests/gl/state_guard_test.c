@@ -643,9 +643,11 @@ static void failed_draws_leave_all_state(void **unused)
  * the first. */
 static struct dirty_state {
     const char *name;
-    int count;     /* of units or bindings; 0 stands for 1 */
-    bool may_stay; /* on hardware, where some drivers leave it alone */
-    bool known;    /* in this context */
+    int count;      /* of units or bindings; 0 stands for 1 */
+    bool may_stay;  /* on hardware, where some drivers leave it alone */
+    int stays_from; /* the versions of OpenGL and OpenGL ES, times 10, from which on it is left alone; 0: none */
+    int stays_from_es;
+    bool known; /* in this context */
     bool seen;
 } dirty_states[] = {
     {.name = "GL_CURRENT_PROGRAM"},
@@ -671,7 +673,7 @@ static struct dirty_state {
     {.name = "GL_BLEND_EQUATION_ALPHA"},
     {.name = "GL_COLOR_WRITEMASK"},
     {.name = "GL_COLOR_WRITEMASK of a draw buffer"},
-    {.name = "GL_SAMPLE_MASK_VALUE"},
+    {.name = "GL_SAMPLE_MASK_VALUE", .stays_from = 40, .stays_from_es = 32},
     {.name = "GL_POLYGON_MODE"},
     {.name = "GL_CLAMP_FRAGMENT_COLOR"},
     {.name = "GL_CULL_FACE"},
@@ -710,8 +712,11 @@ enum { DIRTY_COUNT = sizeof dirty_states / sizeof dirty_states[0] };
 
 static struct dirty_state *find_dirty(const state_value *value)
 {
-    for (int i = 0; i < DIRTY_COUNT; i++)
-        if (strcmp(dirty_states[i].name, value->name) == 0) return &dirty_states[i];
+    for (int i = 0; i < DIRTY_COUNT; i++) {
+        struct dirty_state *dirty = &dirty_states[i];
+        bool stays = dirty->stays_from > 0 && api_has(dirty->stays_from, dirty->stays_from_es, NULL);
+        if (!stays && strcmp(dirty->name, value->name) == 0) return dirty;
+    }
     return NULL;
 }
 
