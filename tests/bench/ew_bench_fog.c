@@ -3,15 +3,14 @@
  */
 #include "camera.h"
 #include "camera_ray.h"
-#include "command_line.h"
 #include "growth_scene.h"
 #include "message.h"
 #include "output_file.h"
-#include "page.h"
 #include "progress.h"
 #include "scene_file.h"
 #include "sort.h"
 #include "stopwatch.h"
+#include "table_program.h"
 #include "texture.h"
 #include "vector.h"
 
@@ -20,27 +19,13 @@
 #include <stdlib.h>
 #include <string.h>
 #include <time.h>
-#include <unistd.h>
 
-enum { EXIT_BAD_INPUT = 2, ROUNDS = 5, BALL_COUNT = 4, MAX_SCENES = 24 };
+enum { ROUNDS = 5, BALL_COUNT = 4, MAX_SCENES = 24 };
 
-static const char help[] = "Usage: ew-bench-fog [option]...\n"
-                           "Measures how many times as long a frame takes in fog and among media as without.\n"
-                           "\n"
-                           "      --size WxH       of the frames, in pixels (default 640x360)\n"
-                           "      --report FOLDER  writes FOLDER/fog-and-media.md\n"
-                           "      --name NAME      makes that FOLDER/fog-and-media-NAME.md\n"
-                           "      --backend NAME   egl, osmesa or auto (default): EGL or else OSMesa\n"
-                           "  -h, --help           print this help\n"
-                           "\n"
-                           "Prints tables. Exit status: 0, or 2 with one line of what to mend on standard error.\n";
-
-typedef struct command_options {
-    int width, height;
-    const char *report; /* NULL for none */
-    const char *name;   /* NULL for none */
-    context_backend backend;
-} command_options;
+static bool run(gl_context *context, const table_settings *settings, char *message, size_t size);
+static const table_program program = {"ew-bench-fog",
+                                      "Measures how many times as long a frame takes in fog and among media as without.",
+                                      "fog-and-media", "What fog and media cost", run};
 
 /* What a frame is drawn in, in turns. */
 enum { IN_NOTHING, IN_EVEN_FOG, IN_FOG_BY_HEIGHT, IN_A_BODY, BEHIND_A_PANE, AMONG_BALLS, WAY_COUNT };
@@ -66,27 +51,6 @@ typedef struct light_place {
     double half_height; /* of the picture, at the middle */
     double half_width;
 } light_place;
-
-static bool read_frame_size(const char *text, void *target)
-{
-    command_options *options = target;
-    return read_size(text, &options->width, &options->height);
-}
-
-static bool read_options(int argc, char **argv, command_options *options, char *message, size_t size)
-{
-    const command_option table[] = {
-        {"size", 0, read_frame_size, options, SIZE_REMEDY},
-        {"report", 0, read_text, &options->report, NULL},
-        {"name", 0, read_text, &options->name, NULL},
-        {"backend", 0, read_backend, &options->backend, BACKEND_REMEDY},
-    };
-    const command_program program = {"ew-bench-fog", help, table, sizeof table / sizeof *table};
-    if (!command_line_read(&argc, argv, &program, message, size)) return false;
-    if (argc == 1) return true;
-    message_write(message, size, "%s: is no option; see --help", argv[1]);
-    return false;
-}
 
 /* ---- What the light is in ------------------------------------------------------------------------------------------------ */
 
@@ -207,7 +171,7 @@ static bool measure_times(gl_context *context, const growth_frame *frame, const 
     return ok;
 }
 
-static bool measure(gl_context *context, const char *path, const command_options *options, fog_result *result, char *message,
+static bool measure(gl_context *context, const char *path, const table_settings *settings, fog_result *result, char *message,
                     size_t size)
 {
     const char *slash = strrchr(path, '/');
@@ -217,7 +181,7 @@ static bool measure(gl_context *context, const char *path, const command_options
     snprintf(result->scene, sizeof result->scene, "%.*s%s", (int)strcspn(slash + 1, "."), slash + 1,
              result->is_dark ? " without light" : "");
     if (!scene_load(path, &scene, message, size)) return false;
-    bool ok = growth_frame_create(context, &scene, options->width, options->height, 1, context_get_proc_address, &frame,
+    bool ok = growth_frame_create(context, &scene, settings->width, settings->height, 1, context_get_proc_address, &frame,
                                   message, size) == EW_OK;
     if (ok) {
         ok = find_light(&frame, &scene.camera, &place, message, size);
@@ -254,20 +218,14 @@ static void write_table(FILE *file, const fog_result *results, size_t count, int
     fputs("\n", file);
 }
 
-static bool write_report(gl_context *context, const command_options *options, const fog_result *results, size_t count,
+static bool write_report(gl_context *context, const table_settings *settings, const fog_result *results, size_t count,
                          char *message, size_t size)
 {
-    page_paths paths;
+    char path[4096];
     bench_machine machine;
-    if (!machine_describe(context, &machine, message, size) ||
-        !page_make_folders("fog-and-media", options->report, options->name, &paths, message, size))
-        return false;
-    rmdir(paths.plots); /* there are none */
-    FILE *file = fopen(paths.page, "w");
-    if (file) {
-        page_begin(file, "What fog and media cost", "ew-bench-fog", &machine);
-        fprintf(
-            file,
+    FILE *file = table_page_open(&program, context, settings, &machine, path, message, size);
+    if (!file) return false;
+    fprintf(file,
             "- Frames of %d x %d pixels, as hosts draw them: without, the median of %d in milliseconds, %s; in fog and among "
             "media, how many times as long that takes. All take turns, so the ratios are of the same run.\n"
             "- Even fog leaves 1 / e of the light in the middle of the depths that are lit. Fog by height is as thick there, "
@@ -278,47 +236,34 @@ static bool write_report(gl_context *context, const command_options *options, co
             "last row is that alone, in milliseconds. It is most of the cost where the light is cheap.\n"
             "- Scenes: the whole frames of [Speed against error](speed-and-error.md), the spiral of [Light on "
             "surfaces](light-on-surfaces.md), and, with an interval, those of the papers' integral.\n\n",
-            options->width, options->height, ROUNDS,
+            settings->width, settings->height, ROUNDS,
             machine.has_gl_timer ? "by GL's own timer" : "of the processor's time on all threads");
-        for (int i = 0; i < RESOLUTION_COUNT; i++)
-            write_table(file, results, count, i);
-    }
-    return output_file_close(file, paths.page, message, size);
+    for (int i = 0; i < RESOLUTION_COUNT; i++)
+        write_table(file, results, count, i);
+    return output_file_close(file, path, message, size);
 }
 
-static bool run(const command_options *options, char *message, size_t size)
+static bool run(gl_context *context, const table_settings *settings, char *message, size_t size)
 {
     fog_result results[MAX_SCENES] = {0};
     glob_t found = {0};
-    gl_context *context = context_create(options->backend, message, size);
-    if (!context) return false;
-    puts(context_description(context));
     glob(EW_BENCH_FRAMES "/*.json", 0, NULL, &found);
     glob(EW_BENCH_LIGHT "/spiral.json", GLOB_APPEND, NULL, &found);
     glob(EW_BENCH_SCENES "/*.json", GLOB_APPEND, NULL, &found);
     size_t count = found.gl_pathc < MAX_SCENES ? found.gl_pathc : MAX_SCENES - 1;
     bool ok = true;
     for (size_t i = 0; ok && i < count; i++)
-        ok = measure(context, found.gl_pathv[i], options, &results[i], message, size);
+        ok = measure(context, found.gl_pathv[i], settings, &results[i], message, size);
     results[count].is_dark = true;
-    ok = ok && measure(context, found.gl_pathv[0], options, &results[count++], message, size);
+    ok = ok && measure(context, found.gl_pathv[0], settings, &results[count++], message, size);
     for (int i = 0; ok && i < RESOLUTION_COUNT; i++)
         write_table(stdout, results, count, i);
-    if (ok && options->report) ok = write_report(context, options, results, count, message, size);
+    if (ok && settings->report) ok = write_report(context, settings, results, count, message, size);
     globfree(&found);
-    context_destroy(context);
     return ok;
 }
 
 int main(int argc, char **argv)
 {
-    command_options options = {.width = 640, .height = 360, .backend = CONTEXT_AUTO};
-    char message[600];
-    if (!read_options(argc, argv, &options, message, sizeof message)) {
-        if (message[0] == '\0') return EXIT_SUCCESS;
-    } else if (run(&options, message, sizeof message)) {
-        return EXIT_SUCCESS;
-    }
-    fprintf(stderr, "ew-bench-fog: %s\n", message);
-    return EXIT_BAD_INPUT;
+    return table_program_main(&program, argc, argv);
 }

@@ -1,16 +1,15 @@
 /*
  * ew-bench-light: what light on surfaces costs, beside as many point lights along the sources as are no more wrong.
  */
-#include "command_line.h"
 #include "light_stage.h"
 #include "message.h"
 #include "output_file.h"
-#include "page.h"
 #include "reference_irradiance.h"
 #include "reference_threads.h"
 #include "scene_rays.h"
 #include "sort.h"
 #include "stopwatch.h"
+#include "table_program.h"
 #include "vector.h"
 
 #include <glob.h>
@@ -23,25 +22,12 @@
 #define BAR 1e-2
 enum { COURT_LIGHTS = 50 };
 
-enum { EXIT_BAD_INPUT = 2, SAMPLES = 4096, ROUNDS = 7 };
+enum { SAMPLES = 4096, ROUNDS = 7 };
 
-static const char help[] = "Usage: ew-bench-light [option]...\n"
-                           "Measures what light on surfaces costs, and how many point lights along the sources are as good.\n"
-                           "\n"
-                           "      --size WxH       of the pictures, in pixels (default 640x360)\n"
-                           "      --report FOLDER  writes FOLDER/light-on-surfaces.md\n"
-                           "      --name NAME      makes that FOLDER/light-on-surfaces-NAME.md\n"
-                           "      --backend NAME   egl, osmesa or auto (default): EGL or else OSMesa\n"
-                           "  -h, --help           print this help\n"
-                           "\n"
-                           "Prints a table. Exit status: 0, or 2 with one line of what to mend on standard error.\n";
-
-typedef struct command_options {
-    int width, height;
-    const char *report; /* NULL for none */
-    const char *name;   /* NULL for none */
-    context_backend backend;
-} command_options;
+static bool run(gl_context *context, const table_settings *settings, char *message, size_t size);
+static const table_program program = {
+    "ew-bench-light", "Measures what light on surfaces costs, and how many point lights along the sources are as good.",
+    "light-on-surfaces", "What light on surfaces costs", run};
 
 /* What is drawn of a scene, in turns. */
 enum { OURS, OURS_WITH_SHADOWS, FEW_LIGHTS, MANY_LIGHTS, WAY_COUNT };
@@ -61,27 +47,6 @@ typedef struct light_truth {
     double truths[SAMPLES][3];
     double brightest;
 } light_truth;
-
-static bool read_frame_size(const char *text, void *target)
-{
-    command_options *options = target;
-    return read_size(text, &options->width, &options->height);
-}
-
-static bool read_options(int argc, char **argv, command_options *options, char *message, size_t size)
-{
-    const command_option table[] = {
-        {"size", 0, read_frame_size, options, SIZE_REMEDY},
-        {"report", 0, read_text, &options->report, NULL},
-        {"name", 0, read_text, &options->name, NULL},
-        {"backend", 0, read_backend, &options->backend, BACKEND_REMEDY},
-    };
-    const command_program program = {"ew-bench-light", help, table, sizeof table / sizeof *table};
-    if (!command_line_read(&argc, argv, &program, message, size)) return false;
-    if (argc == 1) return true;
-    message_write(message, size, "%s: is no option; see --help", argv[1]);
-    return false;
-}
 
 /* ---- Errors ------------------------------------------------------------------------------------------------------------- */
 
@@ -214,7 +179,7 @@ static bool measure_stage(light_stage *stage, light_truth *truth, light_result *
     return measure_times(stage, result, message, size);
 }
 
-static bool measure(gl_context *context, const char *path, const command_options *options, light_result *result, char *message,
+static bool measure(gl_context *context, const char *path, const table_settings *settings, light_result *result, char *message,
                     size_t size)
 {
     const char *slash = strrchr(path, '/');
@@ -224,9 +189,9 @@ static bool measure(gl_context *context, const char *path, const command_options
     static light_truth truth;
     snprintf(result->scene, sizeof result->scene, "%.*s", (int)strcspn(slash + 1, "."), slash + 1);
     if (!scene_load(path, &scene, message, size)) return false;
-    bool ok = scene_rays_create(&scene, options->width, options->height, &rays);
+    bool ok = scene_rays_create(&scene, settings->width, settings->height, &rays);
     if (!ok) message_write(message, size, "%s: does not fit into memory", path);
-    if (ok && (ok = light_stage_create(context, &scene, options->width, options->height, &stage, message, size))) {
+    if (ok && (ok = light_stage_create(context, &scene, settings->width, settings->height, &stage, message, size))) {
         ok = make_truth(&stage, &rays, &truth);
         if (!ok) message_write(message, size, "%s: the reference does not fit into memory", path);
         ok = ok && measure_stage(&stage, &truth, result, message, size);
@@ -255,26 +220,20 @@ static void write_table(FILE *file, const light_result *results, size_t count)
     }
 }
 
-static bool write_report(gl_context *context, const command_options *options, const light_result *results, size_t count,
+static bool write_report(gl_context *context, const table_settings *settings, const light_result *results, size_t count,
                          char *message, size_t size)
 {
-    page_paths paths;
+    char path[4096];
     bench_machine machine;
-    if (!machine_describe(context, &machine, message, size) ||
-        !page_make_folders("light-on-surfaces", options->report, options->name, &paths, message, size))
-        return false;
-    rmdir(paths.plots); /* there are none */
-    FILE *file = fopen(paths.page, "w");
-    if (file) {
-        page_begin(file, "What light on surfaces costs", "ew-bench-light", &machine);
-        fprintf(file,
-                "- Pictures of %d x %d pixels. Milliseconds a frame, the median of %d, all in turns; in brackets the largest "
-                "error, "
-                "relative to the picture's largest light, at %d pixels against a reference in double precision.\n\n",
-                options->width, options->height, ROUNDS, SAMPLES);
-        write_table(file, results, count);
-        fprintf(
-            file,
+    FILE *file = table_page_open(&program, context, settings, &machine, path, message, size);
+    if (!file) return false;
+    fprintf(file,
+            "- Pictures of %d x %d pixels. Milliseconds a frame, the median of %d, all in turns; in brackets the largest "
+            "error, "
+            "relative to the picture's largest light, at %d pixels against a reference in double precision.\n\n",
+            settings->width, settings->height, ROUNDS, SAMPLES);
+    write_table(file, results, count);
+    fprintf(file,
             "\n- \"This library\" is `EW_OUTPUT_SURFACES` with a texture of normals, as a deferred renderer has it.\n"
             "- Point lights are what games have in its place, and what the court of the demo had before, some %d in all: they "
             "stand at even distances along the source, with this library's falloff, and are summed in one pass over the same "
@@ -287,39 +246,26 @@ static bool write_report(gl_context *context, const command_options *options, co
             "- All take turns. On a machine that does other things, too, the ratios tell more than the times, and no more than "
             "roughly.\n",
             COURT_LIGHTS);
-    }
-    return output_file_close(file, paths.page, message, size);
+    return output_file_close(file, path, message, size);
 }
 
-static bool run(const command_options *options, char *message, size_t size)
+static bool run(gl_context *context, const table_settings *settings, char *message, size_t size)
 {
     enum { MAX_SCENES = 16 };
     light_result results[MAX_SCENES] = {0};
     glob_t found = {0};
-    gl_context *context = context_create(options->backend, message, size);
-    if (!context) return false;
-    puts(context_description(context));
     glob(EW_BENCH_LIGHT "/*.json", 0, NULL, &found);
     size_t count = found.gl_pathc < MAX_SCENES ? found.gl_pathc : MAX_SCENES;
     bool ok = true;
     for (size_t i = 0; ok && i < count; i++)
-        ok = measure(context, found.gl_pathv[i], options, &results[i], message, size);
+        ok = measure(context, found.gl_pathv[i], settings, &results[i], message, size);
     if (ok) write_table(stdout, results, count);
-    if (ok && options->report) ok = write_report(context, options, results, count, message, size);
+    if (ok && settings->report) ok = write_report(context, settings, results, count, message, size);
     globfree(&found);
-    context_destroy(context);
     return ok;
 }
 
 int main(int argc, char **argv)
 {
-    command_options options = {.width = 640, .height = 360, .backend = CONTEXT_AUTO};
-    char message[600];
-    if (!read_options(argc, argv, &options, message, sizeof message)) {
-        if (message[0] == '\0') return EXIT_SUCCESS;
-    } else if (run(&options, message, sizeof message)) {
-        return EXIT_SUCCESS;
-    }
-    fprintf(stderr, "ew-bench-light: %s\n", message);
-    return EXIT_BAD_INPUT;
+    return table_program_main(&program, argc, argv);
 }
