@@ -17,7 +17,7 @@ struct ew_shaded_samples {
     float depth; // of all of a surface: the mean, which is a plane's depth at the pixel's centre
 };
 
-// Loops over samples test at their ends: see each.glsl.
+// The loop tests at its end: see each.glsl.
 ew_shaded_samples ew_chosen_samples(const ivec2 place)
 {
     if (ew_surface_rank == EW_EVERY_SAMPLE) return ew_shaded_samples(ew_samples.x, ew_samples.y, 0.0);

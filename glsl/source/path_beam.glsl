@@ -39,13 +39,12 @@ ew_beam ew_meet_beam(const ew_segment segment, const ew_path_block path, const v
                    vec3(k, line_k, k), vec3(s0 - size * step, line_s0, s0 + size * step), planes, is_turned);
 }
 
-#if defined(EW_FOG) && defined(EW_WORLD)
-// `weights` are those of the first end, the line and the last end. The panels of all three are one loop's, because where a group of
-// pixels meets one of them, a software rasteriser need not go through the others.
-float ew_integrate_beam_parts(const ew_beam beam, const vec2 chord, const vec3 weights, const vec4 glow)
+#if defined(EW_FOG) || !defined(EW_WORLD)
+// What the ray has of the reach of each of a beam's parts: the first end, the line and the last end.
+void ew_clip_beam_parts(const ew_beam beam, const vec2 chord, const vec4 glow, out vec3 from, out vec3 to)
 {
-    vec3 from = vec3(chord.x, beam.planes);
-    vec3 to = vec3(beam.planes, chord.y);
+    from = vec3(chord.x, beam.planes);
+    to = vec3(beam.planes, chord.y);
 #ifdef EW_REACH
     if (ew_has_reach(glow)) {
         vec3 b = sqrt(beam.b2);
@@ -54,6 +53,16 @@ float ew_integrate_beam_parts(const ew_beam beam, const vec2 chord, const vec3 w
         to = clamp(to, beam.s0 - half_chord, beam.s0 + half_chord);
     }
 #endif
+}
+#endif
+
+#if defined(EW_FOG) && defined(EW_WORLD)
+// `weights` are those of the first end, the line and the last end. The panels of all three are one loop's, because where a group of
+// pixels meets one of them, a software rasteriser need not go through the others.
+float ew_integrate_beam_parts(const ew_beam beam, const vec2 chord, const vec3 weights, const vec4 glow)
+{
+    vec3 from, to;
+    ew_clip_beam_parts(beam, chord, glow, from, to);
     bvec3 is_lit = lessThan(from, to);
     int part = is_lit.x ? 0 : is_lit.y ? 1 : 2;
     float start = mix(mix(from.z, from.y, is_lit.y), from.x, is_lit.x);
@@ -83,21 +92,12 @@ float ew_integrate_beam_parts(const ew_beam beam, const vec2 chord, const vec3 w
 // `weights` are those of the first end, the line and the last end.
 float ew_integrate_beam_parts(const ew_beam beam, const vec2 chord, const vec3 weights, const vec4 glow)
 {
-    vec3 from = vec3(chord.x, beam.planes);
-    vec3 to = vec3(beam.planes, chord.y);
+    vec3 from, to;
+    ew_clip_beam_parts(beam, chord, glow, from, to);
     float sum = 0.0;
     // A loop, because compilers put the integral into the shader for every place that calls it.
-    for (int i = 0; i < 3; ++i) {
-        vec2 part = vec2(from[i], to[i]);
-#ifdef EW_REACH
-        if (ew_has_reach(glow)) {
-            float b = sqrt(beam.b2[i]);
-            float half_chord = sqrt(max((glow.y - b) * (glow.y + b), 0.0) / beam.k[i]);
-            part = clamp(part, beam.s0[i] - half_chord, beam.s0[i] + half_chord);
-        }
-#endif
-        if (part.x < part.y) sum += weights[i] * ew_integrate_within_reach(beam.b2[i], beam.k[i], beam.s0[i], part, glow);
-    }
+    for (int i = 0; i < 3; ++i)
+        if (from[i] < to[i]) sum += weights[i] * ew_integrate_within_reach(beam.b2[i], beam.k[i], beam.s0[i], vec2(from[i], to[i]), glow);
     ew_evaluation_count += 3;
     return sum;
 }
@@ -155,16 +155,8 @@ float ew_integrate_core(const vec2 core, const vec4 glow)
 // two are always empty, but for rounding: behind the core in the first part, or before it in the second; and the same mirrored.
 float ew_integrate_beam_parts(const ew_beam beam, const vec2 chord, const vec3 weights, const vec4 glow)
 {
-    vec3 from = vec3(chord.x, beam.planes);
-    vec3 to = vec3(beam.planes, chord.y);
-#ifdef EW_REACH
-    if (ew_has_reach(glow)) {
-        vec3 b = sqrt(beam.b2);
-        vec3 half_chord = sqrt(max((glow.y - b) * (glow.y + b), 0.0) / beam.k);
-        from = clamp(from, beam.s0 - half_chord, beam.s0 + half_chord);
-        to = clamp(to, beam.s0 - half_chord, beam.s0 + half_chord);
-    }
-#endif
+    vec3 from, to;
+    ew_clip_beam_parts(beam, chord, glow, from, to);
 #ifdef EW_CORE_PIXELS
     vec2 first = ew_find_core(beam.b2.x, beam.k.x, beam.s0.x, glow);
     vec2 line = ew_find_core(beam.b2.y, beam.k.y, beam.s0.y, glow);
