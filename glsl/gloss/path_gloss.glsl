@@ -12,9 +12,9 @@ float ew_gloss_of_piece(const ew_surface surface, const ew_gloss gloss, const ew
 {
 #ifdef EW_BENDS
     if (path.pieces.z != 0.0)
-        return ew_gloss_of_bend(surface, gloss, ew_bent_piece(path, i), ew_piece_unit(path, 7.0, i, 4).zw, path.weights.xy);
+        return ew_gloss_of_bend(surface, gloss, ew_bent_piece(path, i), ew_bent_unit(path, i, 4).zw, path.weights.xy);
 #endif
-    return ew_gloss_of_straight_piece(surface, gloss, path, ew_piece_unit(path, 2.0, i, 0), ew_piece_unit(path, 2.0, i, 1));
+    return ew_gloss_of_straight_piece(surface, gloss, path, ew_straight_unit(path, i, 0), ew_straight_unit(path, i, 1));
 }
 #endif
 

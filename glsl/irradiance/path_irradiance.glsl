@@ -32,18 +32,18 @@ ew_short_piece ew_make_short_piece(const ew_surface surface, const ew_path_block
 {
 #ifdef EW_BENDS
     if (EW_HAS_BENDS(path)) {
-        vec4 axis_x = ew_piece_unit(path, 7.0, i, 1);
-        vec4 axis_y = ew_piece_unit(path, 7.0, i, 2);
-        float bend = ew_piece_unit(path, 7.0, i, 3).w;
-        vec4 domain = ew_piece_unit(path, 7.0, i, 4);
+        vec4 axis_x = ew_bent_unit(path, i, 1);
+        vec4 axis_y = ew_bent_unit(path, i, 2);
+        float bend = ew_bent_unit(path, i, 3).w;
+        vec4 domain = ew_bent_unit(path, i, 4);
         float tau = 0.5 * (domain.x + domain.y);
-        vec3 origin = ew_piece_unit(path, 7.0, i, 0).xyz - surface.position;
+        vec3 origin = ew_bent_unit(path, i, 0).xyz - surface.position;
         return ew_short_piece(origin + tau * axis_x.w * axis_x.xyz + tau * (axis_y.w + tau * bend) * axis_y.xyz,
                               axis_x.w * axis_x.xyz + (axis_y.w + 2.0 * tau * bend) * axis_y.xyz, bend * axis_y.xyz, domain.zw);
     }
 #endif
-    vec4 start = ew_piece_unit(path, 2.0, i, 0);
-    vec4 end = ew_piece_unit(path, 2.0, i, 1);
+    vec4 start = ew_straight_unit(path, i, 0);
+    vec4 end = ew_straight_unit(path, i, 1);
     return ew_short_piece(0.5 * (start.xyz + end.xyz) - surface.position, end.xyz - start.xyz, vec3(0.0), vec2(start.w, end.w));
 }
 
@@ -77,9 +77,9 @@ float ew_light_of_near_piece(const ew_surface surface, const ew_path_block path,
 {
 #ifdef EW_BENDS
     if (EW_HAS_BENDS(path))
-        return ew_light_of_bend(surface, ew_bent_piece(path, i), ew_piece_unit(path, 7.0, i, 4).zw, path.weights.xy);
+        return ew_light_of_bend(surface, ew_bent_piece(path, i), ew_bent_unit(path, i, 4).zw, path.weights.xy);
 #endif
-    return ew_light_of_straight_piece(surface, path, ew_piece_unit(path, 2.0, i, 0), ew_piece_unit(path, 2.0, i, 1));
+    return ew_light_of_straight_piece(surface, path, ew_straight_unit(path, i, 0), ew_straight_unit(path, i, 1));
 }
 
 // Near pieces are looked for in a loop of their own: see EW_FIND in light.glsl.

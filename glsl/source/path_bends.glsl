@@ -17,8 +17,8 @@ vec2 ew_chord_of_piece(const ew_segment segment, const ew_path_block path, const
     if (ew_has_reach(path.glow)) {
         // The search goes on one beyond the last piece.
         int piece = min(i, int(path.pieces.y) - 1);
-        vec4 ball = ew_piece_unit(path, 7.0, piece, 5);
-        vec4 along = ew_piece_unit(path, 7.0, piece, 6);
+        vec4 ball = ew_bent_unit(path, piece, 5);
+        vec4 along = ew_bent_unit(path, piece, 6);
         float reach = path.glow.y;
         chord = clamp(ew_capsule_chord(segment, ball.xyz, along.xyz, ball.w + reach, along.w + reach), chord.x, chord.y);
     }
@@ -62,7 +62,7 @@ float ew_integrate_bends(const ew_segment segment, const ew_path_block path, con
     // The next piece is looked for before the loop ends, so that a software rasteriser does not go through it for nothing.
     do {
         if (i < count) {
-            vec4 domain = ew_piece_unit(path, 7.0, i, 4);
+            vec4 domain = ew_bent_unit(path, i, 4);
             ew_curve_block curve = ew_bent_piece(path, i);
             ew_arc arc = ew_make_arc(segment, curve);
             arc.share = share;

@@ -12,7 +12,7 @@ float ew_sample_straight(const ew_path_block path, const vec4 start, const vec4 
 #ifdef EW_BENDS
 float ew_sample_bent(const ew_path_block path, const int i, const vec3 position, const float s, out vec4 start)
 {
-    vec4 domain = ew_piece_unit(path, 7.0, i, 4);
+    vec4 domain = ew_bent_unit(path, i, 4);
     ew_polynomial_curve polynomial = ew_make_polynomial_curve(ew_bent_piece(path, i));
     float tau;
     float distance_squared = ew_nearest_on_curve(polynomial, position, tau);
@@ -30,8 +30,8 @@ float ew_sample_at(const ew_path_block path, const vec3 position, const float s)
     int count = int(path.pieces.y);
     for (int i = 0; i < count; ++i) {
         if (path.pieces.z == 0.0) {
-            start = ew_piece_unit(path, 2.0, i, 0);
-            sum += ew_sample_straight(path, start, ew_piece_unit(path, 2.0, i, 1), position, s);
+            start = ew_straight_unit(path, i, 0);
+            sum += ew_sample_straight(path, start, ew_straight_unit(path, i, 1), position, s);
         }
 #ifdef EW_BENDS
         else {

@@ -14,12 +14,18 @@ float ew_path_weight(const ew_path_block path, const float t)
 }
 
 #ifdef EW_JOINTS
-vec4 ew_piece_unit(const ew_path_block path, const float units, const int i, const int unit)
+// A vec4 of the ew_straight_block or ew_bent_block of the i-th piece.
+vec4 ew_straight_unit(const ew_path_block path, const int i, const int unit)
 {
-    return ew_source_unit(int(path.pieces.x) + i * int(units) + unit);
+    return ew_source_unit(int(path.pieces.x) + 2 * i + unit);
 }
 
 #ifdef EW_BENDS
+vec4 ew_bent_unit(const ew_path_block path, const int i, const int unit)
+{
+    return ew_source_unit(int(path.pieces.x) + 7 * i + unit);
+}
+
 // The i-th piece of a path, as a curve. A loop, because some compilers put a dozen branches into the shader for every read.
 ew_curve_block ew_bent_piece(const ew_path_block path, const int i)
 {
@@ -29,7 +35,7 @@ ew_curve_block ew_bent_piece(const ew_path_block path, const int i)
         axis_x = axis_y;
         axis_y = axis_z;
         axis_z = domain;
-        domain = ew_piece_unit(path, 7.0, i, unit);
+        domain = ew_bent_unit(path, i, unit);
     }
     return ew_curve_block(vec4(origin.xyz, path.weights.z), axis_x, axis_y, axis_z, vec4(domain.xy, path.weights.xy),
                           path.color, path.glow);

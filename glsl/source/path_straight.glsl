@@ -67,7 +67,7 @@ float ew_integrate_polyline(const ew_segment segment, const ew_path_block path, 
     int count = int(path.pieces.y);
     bool is_closed = path.pieces.w > 0.0;
     int before = is_closed ? count - 1 : 0;
-    ew_slab slab = ew_make_slab(segment, ew_piece_unit(path, 2.0, before, 0), ew_piece_unit(path, 2.0, before, 1));
+    ew_slab slab = ew_make_slab(segment, ew_straight_unit(path, before, 0), ew_straight_unit(path, before, 1));
     ew_planes planes = ew_find_planes(slab, chord);
     float end = planes.end;
     bool is_end_ahead = planes.is_along;
@@ -79,7 +79,7 @@ float ew_integrate_polyline(const ew_segment segment, const ew_path_block path, 
     do {
         bool is_end = i == count;
         int piece = min(i, count - 1);
-        slab = ew_make_slab(segment, ew_piece_unit(path, 2.0, piece, 0), ew_piece_unit(path, 2.0, piece, 1));
+        slab = ew_make_slab(segment, ew_straight_unit(path, piece, 0), ew_straight_unit(path, piece, 1));
         planes = ew_find_planes(slab, chord);
         ew_node node = ew_make_joint(end, is_end_ahead, planes.start, !planes.is_along, chord);
         if (i == 0 && !is_closed) node = ew_make_end(planes.start, !planes.is_along, chord);
@@ -97,7 +97,7 @@ float ew_integrate_polyline(const ew_segment segment, const ew_path_block path, 
     } while (++i < node_count && i <= EW_MAX_PATH_PIECES);
 #else
     do {
-        slab = ew_make_slab(segment, ew_piece_unit(path, 2.0, i, 0), ew_piece_unit(path, 2.0, i, 1));
+        slab = ew_make_slab(segment, ew_straight_unit(path, i, 0), ew_straight_unit(path, i, 1));
         planes = ew_find_planes(slab, chord);
         sum += ew_integrate_line_of_piece(segment, slab, path, planes);
         // What is before the start is ahead on the ray if the ray runs against the piece.

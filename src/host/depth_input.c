@@ -129,20 +129,16 @@ static void attach(const ew_depth_copy *copy, const ew_gl *gl)
     gl->FramebufferTexture2D(GL_DRAW_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, copy->target, copy->texture, 0);
 }
 
-/* Gives the copy's texture, which is bound, new storage. GL would fill it from a pixel unpack buffer if one were bound. */
+/* Gives the copy's texture, which is bound, new storage. */
 static void allocate(const ew_depth_copy *copy, const ew_gl *gl, int format)
 {
-    GLint internal_format = copy_formats[format].internal_format, unpack_buffer = 0;
+    GLint internal_format = copy_formats[format].internal_format;
     if (copy->samples > 0) {
         gl->TexImage2DMultisample(copy->target, copy->samples, (GLenum)internal_format, copy->width, copy->height, GL_TRUE);
         return;
     }
-    gl->GetIntegerv(GL_PIXEL_UNPACK_BUFFER_BINDING, &unpack_buffer);
-    gl->BindBuffer(GL_PIXEL_UNPACK_BUFFER, 0);
-    gl->TexImage2D(copy->target, 0, internal_format, copy->width, copy->height, 0, copy_formats[format].format,
-                   copy_formats[format].type, NULL);
-    if (unpack_buffer != 0 && gl->IsBuffer((GLuint)unpack_buffer))
-        gl->BindBuffer(GL_PIXEL_UNPACK_BUFFER, (GLuint)unpack_buffer);
+    ew_gl_allocate(gl, copy->target, internal_format, copy->width, copy->height, copy_formats[format].format,
+                   copy_formats[format].type);
 }
 
 /* Pixels from the lower left corner, inclusive, to the upper right corner, exclusive. */

@@ -182,6 +182,17 @@ static bool has_clip_control(const ew_gl *gl, const function_loader *loader)
     return gl->version >= 45 || has_extension(gl, "GL_ARB_clip_control");
 }
 
+void ew_gl_allocate(const ew_gl *gl, GLenum target, GLint internal_format, GLsizei width, GLsizei height, GLenum format,
+                    GLenum type)
+{
+    GLint unpack_buffer = 0;
+    gl->GetIntegerv(GL_PIXEL_UNPACK_BUFFER_BINDING, &unpack_buffer);
+    gl->BindBuffer(GL_PIXEL_UNPACK_BUFFER, 0);
+    gl->TexImage2D(target, 0, internal_format, width, height, 0, format, type, NULL);
+    if (unpack_buffer != 0 && gl->IsBuffer((GLuint)unpack_buffer))
+        gl->BindBuffer(GL_PIXEL_UNPACK_BUFFER, (GLuint)unpack_buffer);
+}
+
 bool ew_gl_is_upside_down(const ew_gl *gl)
 {
     GLint origin = GL_LOWER_LEFT;

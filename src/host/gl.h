@@ -169,6 +169,11 @@ typedef struct ew_gl {
 /* Whether a GL_RENDERER string, which may be NULL, names a software rasteriser. */
 bool ew_gl_is_software(const char *renderer);
 
+/* Gives level 0 of the bound texture storage without contents. GL would fill it from a pixel unpack buffer if one were bound.
+ */
+void ew_gl_allocate(const ew_gl *gl, GLenum target, GLint internal_format, GLsizei width, GLsizei height, GLenum format,
+                    GLenum type);
+
 /* Whether the context draws upside down: the host has set glClipControl(GL_UPPER_LEFT, ...). */
 bool ew_gl_is_upside_down(const ew_gl *gl);
 

@@ -37,22 +37,18 @@ static void allocate(const ew_gl *gl, GLuint *texture, GLint internal_format, GL
 {
     if (!*texture) gl->GenTextures(1, texture);
     gl->BindTexture(GL_TEXTURE_2D, *texture);
-    gl->TexImage2D(GL_TEXTURE_2D, 0, internal_format, size.columns, size.rows, 0, format, type, NULL);
+    ew_gl_allocate(gl, GL_TEXTURE_2D, internal_format, size.columns, size.rows, format, type);
     gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
 }
 
-/* Gives the textures room for that many blocks more, never less. GL would fill them from a pixel unpack buffer if one were
- * bound. */
+/* Gives the textures room for that many blocks, never less than before. */
 static void grow(ew_grid *grid, const ew_gl *gl, extent blocks)
 {
     if (blocks.columns <= grid->columns && blocks.rows <= grid->rows) return;
     if (blocks.columns > grid->columns) grid->columns = blocks.columns;
     if (blocks.rows > grid->rows) grid->rows = blocks.rows;
     const extent room = {grid->columns, grid->rows}, nodes = nodes_of(room);
-    GLint unpack_buffer = 0;
-    gl->GetIntegerv(GL_PIXEL_UNPACK_BUFFER_BINDING, &unpack_buffer);
-    gl->BindBuffer(GL_PIXEL_UNPACK_BUFFER, 0);
     allocate(gl, &grid->nodes, GL_RGBA32F, GL_RGBA, GL_FLOAT, nodes);
     allocate(gl, &grid->middles, GL_RGBA32F, GL_RGBA, GL_FLOAT, nodes);
     allocate(gl, &grid->field, GL_R32F, GL_RED, GL_FLOAT, nodes);
@@ -64,8 +60,6 @@ static void grow(ew_grid *grid, const ew_gl *gl, extent blocks)
         peaks = divide_up(peaks, EW_PEAK_SIZE);
         allocate(gl, &grid->peaks[level], GL_RGBA32F, GL_RGBA, GL_FLOAT, peaks);
     }
-    if (unpack_buffer != 0 && gl->IsBuffer((GLuint)unpack_buffer))
-        gl->BindBuffer(GL_PIXEL_UNPACK_BUFFER, (GLuint)unpack_buffer);
 }
 
 void ew_grid_destroy(ew_grid *grid, const ew_gl *gl)

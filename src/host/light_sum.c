@@ -3,23 +3,19 @@
 
 #include "host/binding_points.h"
 
-/* Gives the bound texture room for that many columns and rows, never less. GL would fill it from a pixel unpack buffer if one
- * were bound. Returns whether GL has textures of that size. */
+/* Gives the bound texture room for that many columns and rows, never less than before. Returns whether GL has textures of that
+ * size. */
 static bool grow(ew_light_sum *sum, const ew_gl *gl, int width, int height)
 {
     if (width <= sum->width && height <= sum->height) return true;
-    GLint most = 0, unpack_buffer = 0;
+    GLint most = 0;
     gl->GetIntegerv(GL_MAX_TEXTURE_SIZE, &most);
     if (width > most || height > most) return false;
     if (width > sum->width) sum->width = width;
     if (height > sum->height) sum->height = height;
-    gl->GetIntegerv(GL_PIXEL_UNPACK_BUFFER_BINDING, &unpack_buffer);
-    gl->BindBuffer(GL_PIXEL_UNPACK_BUFFER, 0);
-    gl->TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, sum->width, sum->height, 0, GL_RGBA, GL_FLOAT, NULL);
+    ew_gl_allocate(gl, GL_TEXTURE_2D, GL_RGBA32F, sum->width, sum->height, GL_RGBA, GL_FLOAT);
     gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-    if (unpack_buffer != 0 && gl->IsBuffer((GLuint)unpack_buffer))
-        gl->BindBuffer(GL_PIXEL_UNPACK_BUFFER, (GLuint)unpack_buffer);
     return true;
 }
 
