@@ -149,8 +149,11 @@ static bool draw_by_textures(ew_device *device, const ew_drawing *drawing, bool 
     const ew_gl *gl = drawing->gl;
     const ew_viewport *lit = &drawing->plan->lit;
     const ew_gl_draw_state wanted = draw_state(&drawing->plan->target);
+    GLint size[2];
+    const bool has_size = wanted.framebuffer && ew_find_target_size(gl, size);
     ew_gl_begin_grid(gl, state);
     bool is_filled = !on_grid || ew_grid_fill(&device->grid, drawing);
+    if (drawing->part_count > 0) ew_gl_clip_copy_to(gl, state, lit, has_size ? size : NULL);
     if (is_filled && drawing->part_count > 0)
         is_filled = on_grid ? ew_grid_sum(&device->light_sum, drawing)
                             : ew_light_sum_fill(&device->light_sum, gl, lit->width, lit->height, drawing->part_count, draw_part,

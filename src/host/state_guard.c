@@ -280,17 +280,43 @@ static int smaller(int a, int b)
     return a < b ? a : b;
 }
 
+/* Pixels from the lower left corner, inclusive, to the upper right corner, exclusive. */
+typedef struct clip_box {
+    GLint left, bottom, right, top;
+} clip_box;
+
+/* What the host's scissor leaves of a viewport. */
+static clip_box scissored(const ew_gl_state *state, const ew_viewport *viewport)
+{
+    const clip_box box = {viewport->x, viewport->y, viewport->x + viewport->width, viewport->y + viewport->height};
+    const GLint *host = state->scissor;
+    if (!state->scissor_test) return box;
+    return (clip_box){larger(box.left, host[0]), larger(box.bottom, host[1]), smaller(box.right, host[0] + host[2]),
+                      smaller(box.top, host[1] + host[3])};
+}
+
+static void set_clip_box(const ew_gl *gl, const clip_box *box, int x, int y)
+{
+    const GLint width = larger(box->right - box->left, 0), height = larger(box->top - box->bottom, 0);
+    set_scissor(gl, true, (const GLint[4]){box->left - x, box->bottom - y, width, height});
+}
+
 void ew_gl_clip_to(const ew_gl *gl, const ew_gl_state *state, const ew_viewport *viewport)
 {
-    GLint left = viewport->x, bottom = viewport->y, right = left + viewport->width, top = bottom + viewport->height;
-    const GLint *host = state->scissor;
-    if (state->scissor_test) {
-        left = larger(left, host[0]);
-        bottom = larger(bottom, host[1]);
-        right = smaller(right, host[0] + host[2]);
-        top = smaller(top, host[1] + host[3]);
+    const clip_box box = scissored(state, viewport);
+    set_clip_box(gl, &box, 0, 0);
+}
+
+void ew_gl_clip_copy_to(const ew_gl *gl, const ew_gl_state *state, const ew_viewport *viewport, const GLint *target_size)
+{
+    clip_box box = scissored(state, viewport);
+    box.left = larger(box.left, 0);
+    box.bottom = larger(box.bottom, 0);
+    if (target_size) {
+        box.right = smaller(box.right, target_size[0]);
+        box.top = smaller(box.top, target_size[1]);
     }
-    set_scissor(gl, true, (const GLint[4]){left, bottom, larger(right - left, 0), larger(top - bottom, 0)});
+    set_clip_box(gl, &box, viewport->x, viewport->y);
 }
 
 static void restore_uniform_bindings(const ew_gl *gl, const ew_gl_state *state)

@@ -99,6 +99,10 @@ void ew_gl_begin_grid(const ew_gl *gl, ew_gl_state *state);
 /* Confines drawing to a viewport of the target, and to the host's scissor again. */
 void ew_gl_clip_to(const ew_gl *gl, const ew_gl_state *state, const ew_viewport *viewport);
 
+/* Confines drawing to the same part of a picture that begins at the viewport's corner, as far as it is on the target. NULL:
+ * nobody knows the target's size. */
+void ew_gl_clip_copy_to(const ew_gl *gl, const ew_gl_state *state, const ew_viewport *viewport, const GLint *target_size);
+
 /* Restores the host's objects, its scissor and clip origin, and the samplers that state names. The effect's framebuffer must
  * still be bound for drawing. */
 void ew_gl_restore_objects(const ew_gl *gl, const ew_gl_state *state);

@@ -23,6 +23,33 @@ static bool has_integers(const ew_gl *gl, GLenum attachment)
     return type == GL_INT || type == GL_UNSIGNED_INT;
 }
 
+static void find_renderbuffer_size(const ew_gl *gl, GLuint renderbuffer, GLint size[2])
+{
+    GLint bound = 0;
+    gl->GetIntegerv(GL_RENDERBUFFER_BINDING, &bound);
+    gl->BindRenderbuffer(GL_RENDERBUFFER, renderbuffer);
+    gl->GetRenderbufferParameteriv(GL_RENDERBUFFER, GL_RENDERBUFFER_WIDTH, &size[0]);
+    gl->GetRenderbufferParameteriv(GL_RENDERBUFFER, GL_RENDERBUFFER_HEIGHT, &size[1]);
+    gl->BindRenderbuffer(GL_RENDERBUFFER, (GLuint)bound);
+}
+
+bool ew_find_target_size(const ew_gl *gl, GLint size[2])
+{
+    GLint buffer = GL_NONE;
+    gl->GetIntegerv(GL_DRAW_BUFFER0, &buffer);
+    const GLenum image = (GLenum)buffer;
+    const GLuint name = (GLuint)attachment_parameter(gl, image, GL_FRAMEBUFFER_ATTACHMENT_OBJECT_NAME);
+    if (attachment_parameter(gl, image, GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE) == GL_RENDERBUFFER) {
+        find_renderbuffer_size(gl, name, size);
+        return true;
+    }
+    if (!gl->GetTextureLevelParameteriv) return false;
+    const GLint level = attachment_parameter(gl, image, GL_FRAMEBUFFER_ATTACHMENT_TEXTURE_LEVEL);
+    gl->GetTextureLevelParameteriv(name, level, GL_TEXTURE_WIDTH, &size[0]);
+    gl->GetTextureLevelParameteriv(name, level, GL_TEXTURE_HEIGHT, &size[1]);
+    return true;
+}
+
 /* GL clamps a larger viewport without an error, and what it clamps away would stay dark. */
 static ew_result check_viewport(const ew_gl *gl, const ew_viewport *viewport, ew_error *error)
 {

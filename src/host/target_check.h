@@ -9,4 +9,8 @@
  * drawing. */
 ew_result ew_target_check(const ew_gl *gl, const ew_target *target, ew_error *error);
 
+/* Finds the size of the first image of the framebuffer that is bound for drawing, which must not be the window's. Returns false
+ * where GL does not tell. */
+bool ew_find_target_size(const ew_gl *gl, GLint size[2]);
+
 #endif

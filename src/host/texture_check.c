@@ -2,6 +2,7 @@
 #include "host/texture_check.h"
 
 #include "base/error.h"
+#include "host/target_check.h"
 
 static GLint attachment_parameter(const ew_gl *gl, GLenum attachment, GLenum name)
 {
@@ -67,34 +68,6 @@ static ew_result check_format(const ew_gl *gl, const ew_plan *plan, GLenum textu
                    texture);
 }
 
-static void find_renderbuffer_size(const ew_gl *gl, GLuint renderbuffer, GLint size[2])
-{
-    GLint bound = 0;
-    gl->GetIntegerv(GL_RENDERBUFFER_BINDING, &bound);
-    gl->BindRenderbuffer(GL_RENDERBUFFER, renderbuffer);
-    gl->GetRenderbufferParameteriv(GL_RENDERBUFFER, GL_RENDERBUFFER_WIDTH, &size[0]);
-    gl->GetRenderbufferParameteriv(GL_RENDERBUFFER, GL_RENDERBUFFER_HEIGHT, &size[1]);
-    gl->BindRenderbuffer(GL_RENDERBUFFER, (GLuint)bound);
-}
-
-/* The size of a framebuffer's first image. Where GL does not tell, returns false. */
-static bool find_target_size(const ew_gl *gl, GLint size[2])
-{
-    GLint buffer = GL_NONE;
-    gl->GetIntegerv(GL_DRAW_BUFFER0, &buffer);
-    const GLenum image = (GLenum)buffer;
-    const GLuint name = (GLuint)attachment_parameter(gl, image, GL_FRAMEBUFFER_ATTACHMENT_OBJECT_NAME);
-    if (attachment_parameter(gl, image, GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE) == GL_RENDERBUFFER) {
-        find_renderbuffer_size(gl, name, size);
-        return true;
-    }
-    if (!gl->GetTextureLevelParameteriv) return false;
-    const GLint level = attachment_parameter(gl, image, GL_FRAMEBUFFER_ATTACHMENT_TEXTURE_LEVEL);
-    gl->GetTextureLevelParameteriv(name, level, GL_TEXTURE_WIDTH, &size[0]);
-    gl->GetTextureLevelParameteriv(name, level, GL_TEXTURE_HEIGHT, &size[1]);
-    return true;
-}
-
 /* Every pixel of the viewport that is on the target needs a texel. Nothing tells the window's size: its viewport is taken to be
  * on it. */
 static ew_result check_size(const ew_gl *gl, const ew_plan *plan, GLenum texture_target, const char *name, GLuint texture,
@@ -106,7 +79,7 @@ static ew_result check_size(const ew_gl *gl, const ew_plan *plan, GLenum texture
     const long long right = (long long)viewport->x + viewport->width, top = (long long)viewport->y + viewport->height;
     if (right <= width && top <= height) return EW_OK;
     GLint target[2] = {0, 0};
-    if (plan->target.framebuffer && !find_target_size(gl, target)) return EW_OK;
+    if (plan->target.framebuffer && !ew_find_target_size(gl, target)) return EW_OK;
     if (plan->target.framebuffer && (right <= width || target[0] <= width) && (top <= height || target[1] <= height))
         return EW_OK;
     return ew_fail(error, EW_ERROR_INVALID_ARGUMENT,

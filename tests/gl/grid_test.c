@@ -156,6 +156,42 @@ static void the_host_s_scissor_bounds_the_patches(void **unused)
     canvas_destroy(&to);
 }
 
+/* How many pixels are drawn in all passes at full resolution, by OpenGL's own count. */
+static GLuint count_drawn_pixels(const ew_frame_desc *frame)
+{
+    GLuint query, count = 0;
+    gl.GenQueries(1, &query);
+    gl.BeginQuery(GL_SAMPLES_PASSED, query);
+    glow_draw(effect, frame);
+    gl.EndQuery(GL_SAMPLES_PASSED);
+    gl.GetQueryObjectuiv(query, GL_QUERY_RESULT, &count);
+    gl.DeleteQueries(1, &query);
+    return count;
+}
+
+/* Points, lines, tori and curves are summed up in three parts before they are composited: four passes. Regression: each part
+ * was drawn over all of the viewport. */
+static void parts_are_not_drawn_where_nothing_is_to_be_seen(void **unused)
+{
+    (void)unused;
+    enum { PASSES = 4 };
+    if (gl.es) skip(); /* OpenGL ES does not count */
+    canvas to = canvas_create(WIDTH, HEIGHT, GL_RGBA32F, GL_DEPTH_COMPONENT24, 0);
+    ew_frame_desc frame = frame_to(&to, EW_OUTPUT_ADD, EW_RESOLUTION_FULL);
+    draw_opaque(&to);
+    gl.Enable(GL_SCISSOR_TEST);
+    gl.Scissor(100, 90, 3, 2);
+    assert_int_equal(count_drawn_pixels(&frame), PASSES * 3 * 2);
+    gl.Disable(GL_SCISSOR_TEST);
+
+    frame.viewport_x = -WIDTH;
+    frame.viewport_y = -2 * HEIGHT;
+    frame.viewport_width = 4 * WIDTH;
+    frame.viewport_height = 5 * HEIGHT;
+    assert_int_equal(count_drawn_pixels(&frame), PASSES * WIDTH * HEIGHT);
+    canvas_destroy(&to);
+}
+
 int main(int argc, char **argv)
 {
     if (argc != 2) return 2;
@@ -173,6 +209,7 @@ int main(int argc, char **argv)
         cmocka_unit_test(every_sample_of_a_target_is_alike),
         cmocka_unit_test(targets_of_every_kind_are_alike_in_fog),
         cmocka_unit_test(the_host_s_scissor_bounds_the_patches),
+        cmocka_unit_test(parts_are_not_drawn_where_nothing_is_to_be_seen),
         cmocka_unit_test(gl_has_nothing_to_say),
     };
     int failed = cmocka_run_group_tests_name(argv[1], tests, NULL, NULL);
