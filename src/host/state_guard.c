@@ -3,6 +3,8 @@
 
 #include "base/error.h"
 
+#include <stdint.h>
+
 /* Names that the core profile dropped. */
 enum { COMPATIBILITY_CLAMP_FRAGMENT_COLOR = 0x891B, COMPATIBILITY_POINT_SPRITE = 0x8861 };
 
@@ -270,35 +272,53 @@ void ew_gl_begin_grid(const ew_gl *gl, ew_gl_state *state)
     if (gl->compatibility) gl->Enable(COMPATIBILITY_POINT_SPRITE);
 }
 
-static int larger(int a, int b)
+static int64_t larger(int64_t a, int64_t b)
 {
     return a > b ? a : b;
 }
 
-static int smaller(int a, int b)
+static int64_t smaller(int64_t a, int64_t b)
 {
     return a < b ? a : b;
 }
 
-/* Pixels from the lower left corner, inclusive, to the upper right corner, exclusive. */
+/* Pixels from the lower left corner, inclusive, to the upper right corner, exclusive. A corner of a host's rectangle may lie
+   beyond an int. */
 typedef struct clip_box {
-    GLint left, bottom, right, top;
+    int64_t left, bottom, right, top;
 } clip_box;
+
+static clip_box box_of(const GLint *rectangle)
+{
+    return (clip_box){rectangle[0], rectangle[1], (int64_t)rectangle[0] + rectangle[2], (int64_t)rectangle[1] + rectangle[3]};
+}
+
+static clip_box common_box(const clip_box *a, const clip_box *b)
+{
+    return (clip_box){larger(a->left, b->left), larger(a->bottom, b->bottom), smaller(a->right, b->right),
+                      smaller(a->top, b->top)};
+}
 
 /* What the host's scissor leaves of a viewport. */
 static clip_box scissored(const ew_gl_state *state, const ew_viewport *viewport)
 {
-    const clip_box box = {viewport->x, viewport->y, viewport->x + viewport->width, viewport->y + viewport->height};
-    const GLint *host = state->scissor;
+    const clip_box box = box_of((const GLint[4]){viewport->x, viewport->y, viewport->width, viewport->height});
     if (!state->scissor_test) return box;
-    return (clip_box){larger(box.left, host[0]), larger(box.bottom, host[1]), smaller(box.right, host[0] + host[2]),
-                      smaller(box.top, host[1] + host[3])};
+    const clip_box host = box_of(state->scissor);
+    return common_box(&box, &host);
 }
 
+/* The scissor of a target whose pixel (0, 0) is pixel (x, y) of the box's. */
 static void set_clip_box(const ew_gl *gl, const clip_box *box, int x, int y)
 {
-    const GLint width = larger(box->right - box->left, 0), height = larger(box->top - box->bottom, 0);
-    set_scissor(gl, true, (const GLint[4]){box->left - x, box->bottom - y, width, height});
+    const bool empty = box->right <= box->left || box->top <= box->bottom;
+    if (empty) {
+        set_scissor(gl, true, (const GLint[4]){0, 0, 0, 0});
+        return;
+    }
+    set_scissor(gl, true,
+                (const GLint[4]){(GLint)(box->left - x), (GLint)(box->bottom - y), (GLint)(box->right - box->left),
+                                 (GLint)(box->top - box->bottom)});
 }
 
 void ew_gl_clip_to(const ew_gl *gl, const ew_gl_state *state, const ew_viewport *viewport)

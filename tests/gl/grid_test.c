@@ -12,6 +12,7 @@
 #include <stdint.h>
 
 #include <cmocka.h>
+#include <limits.h>
 #include <math.h>
 #include <string.h>
 
@@ -189,6 +190,10 @@ static void parts_are_not_drawn_where_nothing_is_to_be_seen(void **unused)
     frame.viewport_width = 4 * WIDTH;
     frame.viewport_height = 5 * HEIGHT;
     assert_int_equal(count_drawn_pixels(&frame), PASSES * WIDTH * HEIGHT);
+
+    /* Regression: what the target and such a viewport have in common overflowed. */
+    frame.viewport_x = frame.viewport_y = INT_MIN;
+    assert_int_equal(count_drawn_pixels(&frame), 0);
     canvas_destroy(&to);
 }
 
