@@ -9,6 +9,7 @@ layout(std140) uniform ew_uniforms
 {
     ew_frame_block ew_uniform_frame;
     ivec4 ew_uniform_source_counts[EW_COUNT_VECTORS];
+    ivec4 ew_uniform_list_rows[EW_LIST_VECTORS];
     ew_grid_block ew_grid;
     ew_fog_block ew_uniform_fog;
     ew_medium_block ew_media[EW_MEDIUM_ROOM];
@@ -27,12 +28,16 @@ layout(std140) uniform ew_uniforms
 #ifdef EW_SOFTWARE
 EW_VARYING ew_frame_block ew_frame;
 EW_VARYING ivec4 ew_source_counts[EW_COUNT_VECTORS];
+#ifdef EW_LISTS
+EW_VARYING ivec4 ew_list_rows[EW_LIST_VECTORS];
+#endif
 #ifdef EW_FOG
 EW_VARYING ew_fog_block ew_fog;
 #endif
 #else
 #define ew_frame ew_uniform_frame
 #define ew_source_counts ew_uniform_source_counts
+#define ew_list_rows ew_uniform_list_rows
 #define ew_fog ew_uniform_fog
 #endif
 
@@ -62,6 +67,9 @@ void ew_copy_varyings()
 #ifdef EW_SOFTWARE
     ew_frame = ew_uniform_frame;
     ew_source_counts = ew_uniform_source_counts;
+#ifdef EW_LISTS
+    ew_list_rows = ew_uniform_list_rows;
+#endif
 #ifdef EW_FOG
     ew_fog = ew_uniform_fog;
 #endif

@@ -71,6 +71,11 @@ struct ew_medium_block {
 #define EW_KIND_COUNT 5
 #define EW_COUNT_VECTORS ((EW_KIND_COUNT + 3) / 4)
 
+// How many lists of sources a tile may have: one for each kind, but three for paths, since beams, polylines and paths with bent pieces are
+// integrated in different ways. And how many ivec4 the places of these lists in the table take, with the end of the last.
+#define EW_LIST_COUNT 7
+#define EW_LIST_VECTORS ((EW_LIST_COUNT + 4) / 4)
+
 // The blocks of the sources. In every kind, `color` is the light's colour where B = 1, and its w the coefficient times alpha.
 // `glow` is: x: the core's radius, y: the reach, 0 for none, z: the sharpness, w: the brightness. It comes last, and is left out of
 // the uniform block where no source has a reach or a core of its own: then x is the frame's epsilon.

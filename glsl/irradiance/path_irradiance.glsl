@@ -19,7 +19,7 @@ float ew_light_of_straight_piece(const ew_surface surface, const ew_path_block p
     return light;
 }
 
-#ifdef EW_JOINTS
+#ifdef EW_PIECES
 // A piece relative to the surface: middle + u slope + u^2 bend, u from -1/2 to 1/2.
 struct ew_short_piece {
     vec3 middle;
@@ -128,8 +128,8 @@ float ew_irradiance_of(const ew_surface surface, const ew_path_block path)
     if (!ew_is_of_part(path)) return 0.0;
 #endif
     if (length(path.ball.xyz - surface.position) >= path.ball.w + ew_light_reach()) return 0.0;
-#ifdef EW_JOINTS
-    if (EW_HAS_BENDS(path) || path.pieces.y > 0.0) return ew_light_of_pieces(surface, path, int(path.pieces.y));
+#ifdef EW_PIECES
+    if (!EW_IS_BEAM(path)) return ew_light_of_pieces(surface, path, int(path.pieces.y));
 #endif
     vec4 start = vec4(path.ball.xyz - path.beam.xyz, 0.0);
     vec4 end = vec4(path.ball.xyz + path.beam.xyz, 1.0);

@@ -1,14 +1,14 @@
 // Loops over the sources of a kind. They test at their ends: llvmpipe runs the body of a loop that tests first once more, with every
 // lane masked off.
 
-// The sources of a kind, by its number: places from EW_FIRST to EW_END of its list.
+// The sources of a kind: places from EW_FIRST to EW_END of its lists, which are those from `first` up to `last`.
 #ifdef EW_LISTS
-#define EW_FIRST(kind) ew_list_entry(ew_tile_row + kind)
-#define EW_END(kind, count) ew_list_entry(ew_tile_row + kind + 1)
+#define EW_FIRST(first) ew_list_entry(ew_tile_row + ew_list_row(first))
+#define EW_END(last, count) ew_list_entry(ew_tile_row + ew_list_row(last))
 #define EW_PLACE(i) ew_list_entry(i)
 #else
-#define EW_FIRST(kind) 0
-#define EW_END(kind, count) count
+#define EW_FIRST(first) 0
+#define EW_END(last, count) count
 #define EW_PLACE(i) i
 #endif
-#define EW_EACH(kind, count, body) { int i = EW_FIRST(kind); int end = EW_END(kind, count); body }
+#define EW_EACH(first, last, count, body) { int i = EW_FIRST(first); int end = EW_END(last, count); body }

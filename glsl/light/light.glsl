@@ -64,7 +64,7 @@ float ew_others(const vec4 sum, const vec4 color)
 #define EW_ADD(block, read) block source = read(EW_PLACE(i)); EW_ADD_SOURCE(source); ++i;
 #define EW_ADD_ALL(block, read) if (i < end) { do { EW_ADD(block, read) } while (i < end); }
 #endif
-#define EW_ADD_KIND(block, read, kind, count) EW_EACH(kind, count, EW_ADD_ALL(block, read))
+#define EW_ADD_KIND(block, read, first, last, count) EW_EACH(first, last, count, EW_ADD_ALL(block, read))
 
 // The light of all sources along a segment: sum B_i color_i, and sum B_i as the fourth component. C defines EW_ADD_KINDS: one
 // EW_ADD_KIND for each kind that the shader knows.

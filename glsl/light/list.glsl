@@ -19,11 +19,28 @@ int ew_list_entry(const int i)
 }
 #endif
 
+// Where a tile's row of list `list` is, from its first; of EW_LIST_COUNT, where the next tile's first row is. Lists that are empty all over
+// the frame have none, and end where they begin.
+int ew_list_row(const int list)
+{
+#ifdef EW_VERTEX_STAGE
+    return ew_uniform_list_rows[list >> 2][list & 3];
+#else
+    return ew_list_rows[list >> 2][list & 3];
+#endif
+}
+
 // The first row, in the table of lists, of the tile at a pixel of the grid's viewport, or of the nodes around it.
 int ew_find_tile_row(const ivec2 pixel)
 {
     ivec2 tile = (pixel - ew_grid.tiles.zw) >> ew_grid.tiles.y;
-    return (tile.y * ew_grid.tiles.x + tile.x) * EW_KIND_COUNT;
+    return (tile.y * ew_grid.tiles.x + tile.x) * ew_list_row(EW_LIST_COUNT);
+}
+
+// Whether the lists from `first` up to `end` are empty in the tile of a row.
+bool ew_are_lists_empty(const int tile_row, const int first, const int end)
+{
+    return ew_list_entry(tile_row + ew_list_row(first)) == ew_list_entry(tile_row + ew_list_row(end));
 }
 
 // What ew_find_tile_row says of the fragment. It is the same for a whole patch.

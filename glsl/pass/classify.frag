@@ -161,7 +161,7 @@ void main()
     int patch_class = is_smooth ? EW_SMOOTH : torn == 0 ? EW_ROUGH : torn;
 #if defined(EW_LISTS) && !defined(EW_LUMINANCE)
     int row = ew_find_tile_row(place * ew_stride * EW_CELL_SIZE);
-    if (ew_list_entry(row) == ew_list_entry(row + EW_KIND_COUNT)) patch_class = EW_DARK;
+    if (ew_are_lists_empty(row, 0, EW_LIST_COUNT)) patch_class = EW_DARK;
 #endif
     ew_class = vec4(float(patch_class) / 255.0);
 }

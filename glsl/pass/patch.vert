@@ -1,5 +1,6 @@
 // A patch of the grid as a point of its size, if it is drawn by this pass: EW_INTERPOLATED, the smooth ones, and else the cells that
-// are rough or, with ew_draws_torn, torn. With an ew_stride of 0, patches are quarters of cells.
+// are rough or, with ew_draws_torn, torn. With an ew_stride of 0, patches are quarters of cells. Software rasterisers compute both sides of
+// every `if`, so the cells that a part of the sources does not light are not left to the fragment stage.
 
 uniform sampler2D ew_cell_texture;
 uniform sampler2D ew_block_texture;
@@ -26,15 +27,19 @@ void main()
     ivec2 count = (ew_grid.viewport.zw + width - 1) / width;
     ivec2 place = ivec2(gl_VertexID % count.x, gl_VertexID / count.x);
     vec2 center = (vec2(place) + 0.5) / vec2(count);
-    gl_Position = ew_is_drawn(place) ? vec4(2.0 * center - 1.0, 0.0, 1.0) : vec4(2.0, 2.0, 2.0, 1.0);
+    bool is_drawn = ew_is_drawn(place);
+#ifdef EW_LISTS
+    ew_tile_row = ew_find_tile_row(place * width);
+#ifdef EW_PART
+    is_drawn = is_drawn && !ew_are_lists_empty(ew_tile_row, EW_FIRST_LIST, EW_LAST_LIST);
+#endif
+#endif
+    gl_Position = is_drawn ? vec4(2.0 * center - 1.0, 0.0, 1.0) : vec4(2.0, 2.0, 2.0, 1.0);
     gl_PointSize = float(width);
 #ifdef EW_INTERPOLATED
     ew_fit(ew_first_node(place, ew_stride), ew_stride);
     ew_patch = vec3(vec2(ew_grid.viewport.xy + place * width) + 0.5, 1.0 / float(width));
 #else
     ew_copy_varyings();
-#ifdef EW_LISTS
-    ew_tile_row = ew_find_tile_row(place * width);
-#endif
 #endif
 }

@@ -46,19 +46,31 @@ float ew_piece_count(const ew_curve_block curve)
     return curve.domain.w;
 }
 
-// Whether the pieces of a path are bent. A shader for a part of the sources is for paths of either kind and draws no others, and
-// compilers leave out what a literal condition does.
-#ifndef EW_PART
-#define EW_HAS_BENDS(path) (path.pieces.z != 0.0)
-#elif defined(EW_BENDS)
+// The form of a path: a straight beam has no pieces but itself, a polyline has straight ones, and others have bent ones. Where the shader
+// knows one form only, this is a literal, and compilers leave the rest out.
+#if !defined(EW_BEAMS)
+#define EW_IS_BEAM(path) false
+#elif !defined(EW_PIECES)
+#define EW_IS_BEAM(path) true
+#else
+#define EW_IS_BEAM(path) (path.pieces.y == 0.0)
+#endif
+#if !defined(EW_BENDS)
+#define EW_HAS_BENDS(path) false
+#elif !defined(EW_BEAMS) && !defined(EW_POLYLINES)
 #define EW_HAS_BENDS(path) true
 #else
-#define EW_HAS_BENDS(path) false
+#define EW_HAS_BENDS(path) (path.pieces.z != 0.0)
 #endif
 
 #ifdef EW_PART
+// Whether the path has the only form that the shader draws. Lists have no others.
 bool ew_is_of_part(const ew_path_block path)
 {
-    return EW_HAS_BENDS(path) == (path.pieces.z != 0.0);
+#ifdef EW_LISTS
+    return true;
+#else
+    return EW_IS_BEAM(path) == (path.pieces.y == 0.0) && EW_HAS_BENDS(path) == (path.pieces.z != 0.0);
+#endif
 }
 #endif

@@ -12,13 +12,12 @@ float ew_integrate(const ew_segment segment, const ew_path_block path, const vec
 #endif
 #ifdef EW_BENDS
     if (EW_HAS_BENDS(path)) sum = ew_integrate_bends(segment, path, chord, others);
-    else if (path.pieces.y > 0.0) sum = ew_integrate_polyline(segment, path, chord);
-    else sum = ew_integrate_beam(segment, path, chord);
-#elif defined(EW_JOINTS)
-    if (path.pieces.y > 0.0) sum = ew_integrate_polyline(segment, path, chord);
-    else sum = ew_integrate_beam(segment, path, chord);
-#else
-    sum = ew_integrate_beam(segment, path, chord);
+#endif
+#ifdef EW_POLYLINES
+    if (!EW_HAS_BENDS(path) && !EW_IS_BEAM(path)) sum = ew_integrate_polyline(segment, path, chord);
+#endif
+#ifdef EW_BEAMS
+    if (EW_IS_BEAM(path)) sum = ew_integrate_beam(segment, path, chord);
 #endif
     return sum;
 }

@@ -16,7 +16,7 @@ vec2 ew_capsule_chord(const ew_segment segment, const vec3 center, const vec3 ax
 // Where the segment may be within reach of a path: a sphere around its ball, and around a straight beam the cylinder, too.
 vec2 ew_chord(const ew_segment segment, const ew_path_block path)
 {
-    bool is_beam = path.pieces.y == 0.0 && path.ball.w > 0.0;
+    bool is_beam = EW_IS_BEAM(path) && path.ball.w > 0.0;
     vec3 axis = mix(vec3(1.0, 0.0, 0.0), path.beam.xyz / max(path.ball.w, 1e-30), bvec3(is_beam));
     float reach = path.ball.w + path.glow.y;
     vec2 chord = ew_capsule_chord(segment, path.ball.xyz, axis, reach, mix(reach, path.glow.y, is_beam));

@@ -25,11 +25,12 @@ float ew_sample_bent(const ew_path_block path, const int i, const vec3 position,
 float ew_sample_at(const ew_path_block path, const vec3 position, const float s)
 {
     vec4 start = vec4(path.ball.xyz - path.beam.xyz, 0.0);
-    float sum = path.pieces.y > 0.0 ? 0.0 : ew_sample_straight(path, start, vec4(path.ball.xyz + path.beam.xyz, 1.0), position, s);
-#ifdef EW_JOINTS
+    float sum = 0.0;
+    if (EW_IS_BEAM(path)) sum = ew_sample_straight(path, start, vec4(path.ball.xyz + path.beam.xyz, 1.0), position, s);
+#ifdef EW_PIECES
     int count = int(path.pieces.y);
     for (int i = 0; i < count; ++i) {
-        if (path.pieces.z == 0.0) {
+        if (!EW_HAS_BENDS(path)) {
             start = ew_straight_unit(path, i, 0);
             sum += ew_sample_straight(path, start, ew_straight_unit(path, i, 1), position, s);
         }

@@ -87,7 +87,7 @@ vec2 ew_light_of_ways(const ew_point_ray ray, const vec2 to, const vec2 from, co
 }
 #endif
 
-#if defined(EW_WORLD) && defined(EW_FOG) && defined(EW_JOINTS)
+#if defined(EW_WORLD) && defined(EW_FOG) && defined(EW_POLYLINES)
 // What an antiderivative with these values at the ends of both ways, `to` and then `from`, gives in all.
 float ew_over_ways(const vec4 at_ends)
 {
@@ -143,7 +143,7 @@ vec4 ew_moments_of_ways(const ew_point_ray ray, vec2 to, vec2 from, const float 
 }
 #endif
 
-#ifdef EW_JOINTS
+#ifdef EW_POLYLINES
 // Where a point counts: on the ways along the ray from `from` to `to`, which count negatively where they go backwards.
 struct ew_node {
     vec2 to;

@@ -13,7 +13,7 @@ float ew_path_weight(const ew_path_block path, const float t)
     return weight;
 }
 
-#ifdef EW_JOINTS
+#ifdef EW_PIECES
 // A vec4 of the ew_straight_block or ew_bent_block of the i-th piece.
 vec4 ew_straight_unit(const ew_path_block path, const int i, const int unit)
 {

@@ -22,7 +22,7 @@ float ew_integrate_line_of_piece(const ew_segment segment, const ew_slab slab, c
 #endif
 }
 
-#ifdef EW_JOINTS
+#ifdef EW_POLYLINES
 #if defined(EW_WORLD) && defined(EW_FOG)
 // The light between the planes of a piece, unless it has weights, and `weight` times that of the point at its start or end, against one
 // transmittance in panels that both share.

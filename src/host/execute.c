@@ -343,8 +343,9 @@ static bool are_parts_ready(const ew_device *device, const prepared_plan *prepar
     return are_ready;
 }
 
-/* Divides a plan into parts, if one shader would be long; or if it has none yet, but those of the parts are ready: a host may
- * have prepared a mix of which these sources are a few. */
+/* Divides a plan into parts, if one shader would be long; or on a grid, if the rasteriser computes both sides of every `if`,
+ * since a part is drawn only in the cells that it lights; or if the plan has no shader yet, but those of the parts are ready: a
+ * host may have prepared a mix of which these sources are a few. */
 static void divide(const ew_device *device, const plan_task *task, prepared_plan *prepared)
 {
     const ew_pass pass = prepared->on_grid ? EW_PASS_CELLS : prepared->drawing.plan->pass;
@@ -357,8 +358,10 @@ static void divide(const ew_device *device, const plan_task *task, prepared_plan
             prepared->part_keys[part_count++] = ew_permutation_of_part(prepared->key, (ew_part)part);
     if (part_count == 0) prepared->part_keys[part_count++] = ew_permutation_of_part(prepared->key, EW_PART_STRAIGHT);
     const ew_key whole = ew_permutation_of_pass(pass, prepared->key);
-    if (ew_permutation_is_split(prepared->key) || (!task->steps_left && !ew_program_is_ready(&device->programs[pass], whole) &&
-                                                   are_parts_ready(device, prepared, pass, part_count)))
+    const bool skips_cells = prepared->on_grid && ew_gl_dialect(&device->gl).software && part_count > 1;
+    if (ew_permutation_is_split(prepared->key) || skips_cells ||
+        (!task->steps_left && !ew_program_is_ready(&device->programs[pass], whole) &&
+         are_parts_ready(device, prepared, pass, part_count)))
         prepared->drawing.part_count = part_count;
 }
 

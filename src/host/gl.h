@@ -26,6 +26,7 @@
     X(PFNGLBUFFERDATAPROC, BufferData)                                                                                         \
     X(PFNGLBUFFERSUBDATAPROC, BufferSubData)                                                                                   \
     X(PFNGLCHECKFRAMEBUFFERSTATUSPROC, CheckFramebufferStatus)                                                                 \
+    X(PFNGLCLEARBUFFERFVPROC, ClearBufferfv)                                                                                   \
     X(PFNGLCOLORMASKPROC, ColorMask)                                                                                           \
     X(PFNGLCOMPILESHADERPROC, CompileShader)                                                                                   \
     X(PFNGLCREATEPROGRAMPROC, CreateProgram)                                                                                   \

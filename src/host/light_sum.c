@@ -41,10 +41,10 @@ bool ew_light_sum_fill(ew_light_sum *sum, const ew_gl *gl, int width, int height
     gl->BindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
     gl->FramebufferTexture2D(GL_DRAW_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, sum->texture, 0);
     sum->is_refused = gl->CheckFramebufferStatus(GL_DRAW_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE;
-    for (int part = 0; part < part_count && !sum->is_refused; ++part) {
-        ew_gl_set_sum(gl, part > 0);
+    if (!sum->is_refused) gl->ClearBufferfv(GL_COLOR, 0, (const GLfloat[4]){0, 0, 0, 0});
+    ew_gl_set_sum(gl, true);
+    for (int part = 0; part < part_count && !sum->is_refused; ++part)
         draw(user, part);
-    }
     gl->DeleteFramebuffers(1, &framebuffer);
     gl->ActiveTexture(GL_TEXTURE0 + EW_GL_LIGHT_TEXTURE_UNIT);
     gl->BindTexture(GL_TEXTURE_2D, sum->texture);

@@ -76,6 +76,7 @@ const ew_kind ew_curve_kind = {
     EW_KIND_NAMES(curve, CURVE, curves),
     .check = check,
     .cost_in_points = 8,
+    .list = EW_LIST_CURVES,
     .part = EW_PART_CURVES,
     .bound = bound,
     .chord_file = ew_glsl_curve_chord_glsl,

@@ -61,12 +61,25 @@ typedef struct ew_weight_list {
 
 /* The parts into which a frame's sources are divided where one shader for all of them would take long to compile. */
 typedef enum ew_part {
-    EW_PART_STRAIGHT, /* points, too */
+    EW_PART_STRAIGHT, /* points, lines, beams */
+    EW_PART_POLYLINES,
+    EW_PART_BENDS, /* paths with bent pieces */
     EW_PART_TORI,
     EW_PART_CURVES,
-    EW_PART_BENDS, /* chains with bent pieces */
     EW_PART_COUNT,
 } ew_part;
+
+/* The lists of a tile (see plan/tile_lists.h). Those of a part are neighbours, and so are those of a kind. */
+typedef enum ew_list {
+    EW_LIST_POINTS,
+    EW_LIST_LINES,
+    EW_LIST_BEAMS,
+    EW_LIST_POLYLINES,
+    EW_LIST_BENDS,
+    EW_LIST_TORI,
+    EW_LIST_CURVES,
+} ew_list;
+_Static_assert(EW_LIST_CURVES + 1 == EW_LIST_COUNT, "GLSL counts other lists");
 
 /* The most units (vec4) that a piece of a chain takes. */
 enum { EW_MAX_PIECE_UNITS = sizeof(struct ew_bent_block) / sizeof(ew_vec4) };
@@ -127,7 +140,8 @@ typedef struct ew_kind {
     ew_result (*pack)(const void *source, const ew_source_name *name, const ew_ray_space *space, const ew_weight_range *weights,
                       void *block, ew_error *error);
     const ew_chain_kind *chain; /* of a kind whose sources are chains of pieces; else NULL */
-    ew_part part;               /* of a chain: of those without bent pieces */
+    ew_part part;               /* of a chain: of its beams */
+    ew_list list;               /* of a chain: of its beams; behind it stand those of its polylines and of those with bends */
 
     /* The GLSL file of what all integrators need; NULL for a kind that has only one file. */
     const char *chord_file;

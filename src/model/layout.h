@@ -20,6 +20,7 @@ typedef struct ew_ivec4 {
 struct ew_uniform_head {
     struct ew_frame_block frame;
     int source_counts[4 * EW_COUNT_VECTORS]; /* by kind */
+    int list_rows[4 * EW_LIST_VECTORS];      /* see struct ew_tile_lists */
     struct ew_grid_block grid;
     struct ew_fog_block fog;
     struct ew_medium_block media[EW_MEDIUM_ROOM];

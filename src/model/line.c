@@ -52,6 +52,7 @@ const ew_kind ew_line_kind = {
     EW_KIND_NAMES(line, LINE, lines),
     .check = check,
     .cost_in_points = 1,
+    .list = EW_LIST_LINES,
     .bound = bound,
     .hull = hull,
     .pack = pack,

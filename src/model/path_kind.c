@@ -183,6 +183,7 @@ const ew_kind ew_path_kind_row = {
     EW_KIND_NAMES(path, PATH, paths),
     .check = check,
     .cost_in_points = 2,
+    .list = EW_LIST_BEAMS,
     .bound = bound,
     .chord_file = ew_glsl_path_chord_glsl,
     .weights = weights_of,

@@ -39,6 +39,7 @@ const ew_kind ew_point_kind = {
     EW_KIND_NAMES(point, POINT, points),
     .check = check,
     .cost_in_points = 1,
+    .list = EW_LIST_POINTS,
     .bound = bound,
     .hull = hull,
     .pack = pack,

@@ -265,7 +265,10 @@ static ew_result make_shapes(const ew_sources_desc *desc, ew_sources *sources, e
             const ew_emission *emission = ew_source_emission(kind, source);
             *lit = (ew_lit_source){kind, source, i, NULL, kind->bound(source), emission->reach};
             sources->has_sharpness = sources->has_sharpness || emission->sharpness > 1;
-            if (!kind->chain) continue;
+            if (!kind->chain) {
+                sources->has_list[kind->list] = true;
+                continue;
+            }
             lit->pieces = range;
             const ew_source_name name = {kind->list_name, i};
             double core = core_of(emission, desc->epsilon);
@@ -275,8 +278,7 @@ static ew_result make_shapes(const ew_sources_desc *desc, ew_sources *sources, e
             kind->chain->make(source, core, pieces);
             range->pieces = pieces;
             range->piece_units = kind->chain->piece_units(source, pieces, range->piece_count);
-            sources->has_joints = sources->has_joints || range->piece_units > 0;
-            sources->has_bends = sources->has_bends || range->piece_units == EW_MAX_PIECE_UNITS;
+            sources->has_list[ew_list_of(lit)] = true;
             pieces += range->piece_count * kind->chain->piece_size;
             unit += range->piece_count * range->piece_units;
             ++range;
@@ -325,13 +327,20 @@ ew_hull ew_hull_of_source(const ew_lit_source *lit, size_t index)
     return chain ? chain->hull((const char *)lit->pieces->pieces + index * chain->piece_size) : lit->kind->hull(lit->source);
 }
 
+ew_list ew_list_of(const ew_lit_source *lit)
+{
+    const int list = lit->kind->list;
+    if (!lit->pieces || lit->pieces->piece_units == 0) return (ew_list)list;
+    return (ew_list)(lit->pieces->piece_units == EW_MAX_PIECE_UNITS ? list + 2 : list + 1);
+}
+
 ew_mix ew_sources_mix(const ew_sources *sources)
 {
     ew_mix mix = {.has_weights = sources->weight_piece_count > 0,
                   .has_reach = sources->has_glow,
                   .has_sharpness = sources->has_sharpness,
-                  .has_joints = sources->has_joints,
-                  .has_bends = sources->has_bends};
+                  .has_joints = sources->has_list[EW_LIST_POLYLINES] || sources->has_list[EW_LIST_BENDS],
+                  .has_bends = sources->has_list[EW_LIST_BENDS]};
     for (int k = 0; k < EW_KIND_COUNT; ++k)
         memcpy((char *)&mix + ew_kinds[k]->mix_offset, &sources->counts[k], sizeof sources->counts[k]);
     return mix;

@@ -36,13 +36,16 @@ typedef struct ew_sources {
     size_t lit_count;
     ew_piece_range *piece_ranges; /* one for each source that is a chain, kind after kind */
     void *pieces;                 /* in world space */
-    bool has_joints, has_bends;   /* a path has bent pieces */
+    bool has_list[EW_LIST_COUNT]; /* there are sources that go into such lists */
     ew_weight_range *weights;     /* one for each source of a kind that has weights, kind after kind */
     void *data;                   /* what goes into the uniform block */
     size_t data_size;
     size_t weight_piece_count;
     size_t weight_units; /* where they begin, in units */
 } ew_sources;
+
+/* The list of a tile into which it goes. */
+ew_list ew_list_of(const ew_lit_source *lit);
 
 /* Source i, kind after kind. A `light_reach` > 0 is how far it lights surfaces, in the place of its own reach; 0 stands for
  * that. */

@@ -61,6 +61,7 @@ const ew_kind ew_torus_kind = {
     EW_KIND_NAMES(torus, TORUS, tori),
     .check = check,
     .cost_in_points = 4,
+    .list = EW_LIST_TORI,
     .part = EW_PART_TORI,
     .bound = bound,
     .chord_file = ew_glsl_torus_chord_glsl,

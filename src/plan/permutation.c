@@ -78,8 +78,9 @@ double ew_mix_cost(const ew_mix *mix)
 ew_key ew_permutation_of(const ew_mix *mix, const ew_frame_desc *frame)
 {
     ew_key key = dither_of(frame) | (ew_draws_surfaces(frame) ? emitters_of(mix, frame) : field_of(mix, frame));
-    if (mix->has_joints && mix->path_count > 0) key |= EW_PERMUTATION_JOINTS;
-    if (mix->has_bends && mix->path_count > 0) key |= EW_PERMUTATION_BENDS | EW_PERMUTATION_JOINTS;
+    if (mix->path_count > 0) key |= EW_PERMUTATION_BEAMS;
+    if ((mix->has_joints || mix->has_bends) && mix->path_count > 0) key |= EW_PERMUTATION_POLYLINES;
+    if (mix->has_bends && mix->path_count > 0) key |= EW_PERMUTATION_BENDS;
     bool takes_weights = false;
     for (int kind = 0; kind < EW_KIND_COUNT; ++kind) {
         size_t count = count_in(mix, kind);
@@ -116,11 +117,54 @@ ew_key ew_permutation_with_lists(ew_key key)
     return general;
 }
 
-/* Whether sources of a kind that `key` knows are of a part: chains may be of two. */
+/* The form of the chains of a part; 0 if it has none. */
+static ew_key form_of(ew_part part)
+{
+    static const ew_key forms[EW_PART_COUNT] = {[EW_PART_STRAIGHT] = EW_PERMUTATION_BEAMS,
+                                                [EW_PART_POLYLINES] = EW_PERMUTATION_POLYLINES,
+                                                [EW_PART_BENDS] = EW_PERMUTATION_BENDS};
+    return forms[part];
+}
+
+ew_key ew_permutation_with_forms(ew_key key, const bool has_list[EW_LIST_COUNT])
+{
+    if (!has_list[EW_LIST_BEAMS]) key &= ~(ew_key)EW_PERMUTATION_BEAMS;
+    if (!has_list[EW_LIST_POLYLINES]) key &= ~(ew_key)EW_PERMUTATION_POLYLINES;
+    if (!has_list[EW_LIST_BENDS]) key &= ~(ew_key)EW_PERMUTATION_BENDS;
+    return key;
+}
+
+ew_list_range ew_permutation_lists_of(ew_key key, int kind)
+{
+    static const ew_key forms[] = {EW_PERMUTATION_BEAMS, EW_PERMUTATION_POLYLINES, EW_PERMUTATION_BENDS};
+    const int list = ew_kinds[kind]->list;
+    if (!ew_kinds[kind]->chain) return (ew_list_range){list, list + 1};
+    ew_list_range range = {list + 2, list + 1};
+    for (int form = 0; form < 3; ++form) {
+        if (!(key & forms[form])) continue;
+        if (list + form < range.first) range.first = list + form;
+        range.last = list + form + 1;
+    }
+    return range;
+}
+
+ew_list_range ew_permutation_lists(ew_key key)
+{
+    ew_list_range all = {EW_LIST_COUNT, 0};
+    for (int kind = 0; kind < EW_KIND_COUNT; ++kind) {
+        if (ew_permutation_count(key, kind) == 0) continue;
+        const ew_list_range range = ew_permutation_lists_of(key, kind);
+        if (range.first < all.first) all.first = range.first;
+        if (range.last > all.last) all.last = range.last;
+    }
+    return all;
+}
+
+/* Whether sources of a kind that `key` knows are of a part. */
 static bool is_of_part(ew_key key, int kind, ew_part part)
 {
     if (ew_permutation_count(key, kind) == 0) return false;
-    return ew_kinds[kind]->part == part || (part == EW_PART_BENDS && ew_kinds[kind]->chain && key & EW_PERMUTATION_BENDS);
+    return ew_kinds[kind]->chain ? (key & form_of(part)) != 0 : ew_kinds[kind]->part == part;
 }
 
 bool ew_permutation_has_part(ew_key key, ew_part part)
@@ -132,14 +176,13 @@ bool ew_permutation_has_part(ew_key key, ew_part part)
 
 ew_key ew_permutation_of_part(ew_key key, ew_part part)
 {
-    const ew_key of_sources = EW_PERMUTATION_WEIGHTS | EW_PERMUTATION_JOINTS | EW_PERMUTATION_BENDS;
+    const ew_key of_sources = EW_PERMUTATION_WEIGHTS | EW_PERMUTATION_FORMS;
     ew_key of_part = (key & (((ew_key)1 << EW_PERMUTATION_FLAG_COUNT) - 1) & ~of_sources) | EW_PERMUTATION_PART;
     for (int kind = 0; kind < EW_KIND_COUNT; ++kind) {
         if (!is_of_part(key, kind, part)) continue;
         of_part = ew_permutation_with_count(of_part, kind, EW_ANY_COUNT);
         if (ew_kinds[kind]->weights) of_part |= key & EW_PERMUTATION_WEIGHTS;
-        if (ew_kinds[kind]->chain) of_part |= key & EW_PERMUTATION_JOINTS;
-        if (part == EW_PART_BENDS) of_part |= EW_PERMUTATION_BENDS;
+        if (ew_kinds[kind]->chain) of_part |= form_of(part);
     }
     return of_part;
 }
@@ -164,8 +207,8 @@ bool ew_permutation_is_split(ew_key key)
     for (int kind = 0; kind < EW_KIND_COUNT; ++kind)
         has_other_kinds = has_other_kinds || (ew_permutation_count(key, kind) > 0 && !ew_kinds[kind]->chain);
     if (!ew_permutation_can_be_split(key) || part_count < 2) return false;
-    /* Without fog, one shader does for tori and all that is straight, and for chains. */
-    return key & EW_PERMUTATION_FOG || ew_permutation_has_part(key, EW_PART_CURVES) ||
+    /* Without fog and shadows, one shader does for tori and all that is straight, and for chains. */
+    return key & (EW_PERMUTATION_FOG | EW_PERMUTATION_SHADOWS) || ew_permutation_has_part(key, EW_PART_CURVES) ||
            (ew_permutation_has_part(key, EW_PART_BENDS) && has_other_kinds);
 }
 
@@ -173,8 +216,7 @@ bool ew_permutation_covers(ew_key key, ew_key other)
 {
     /* What a shader may know without harm to sources that do not need it. Reaches are not among that: blocks are longer with
      * them. */
-    ew_key extras = EW_PERMUTATION_WEIGHTS | EW_PERMUTATION_SHARPNESS | EW_PERMUTATION_JOINTS;
-    if (!(key & EW_PERMUTATION_PART)) extras |= EW_PERMUTATION_BENDS;
+    const ew_key extras = EW_PERMUTATION_WEIGHTS | EW_PERMUTATION_SHARPNESS | EW_PERMUTATION_FORMS;
     const ew_key flags = (((ew_key)1 << EW_PERMUTATION_FLAG_COUNT) - 1) & ~extras;
     if ((key & flags) != (other & flags) || (other & extras & ~key) != 0) return false;
     for (int kind = 0; kind < EW_KIND_COUNT; ++kind)

@@ -24,8 +24,8 @@ enum {
     EW_PERMUTATION_CORE_PIXELS = 1 << 10,
     EW_PERMUTATION_SHARPNESS = 1 << 11,
     EW_PERMUTATION_SOFT = 1 << 12,
-    EW_PERMUTATION_JOINTS = 1 << 13,
-    EW_PERMUTATION_BENDS = 1 << 14, /* with EW_PERMUTATION_JOINTS */
+    EW_PERMUTATION_POLYLINES = 1 << 13,
+    EW_PERMUTATION_BENDS = 1 << 14,
     EW_PERMUTATION_LISTS = 1 << 15, /* with EW_PERMUTATION_REACH and no exact counts */
     EW_PERMUTATION_SOURCE_TEXTURE = 1 << 16,
     EW_PERMUTATION_IRRADIANCE = 1 << 17, /* the light on surfaces */
@@ -36,12 +36,16 @@ enum {
     EW_PERMUTATION_MEDIA = 1 << 22,      /* likewise */
     EW_PERMUTATION_PART = 1 << 23,       /* the light of a part of the sources, with no exact counts */
     EW_PERMUTATION_SUMMED = 1 << 24,     /* no sources: their light has been summed up */
-    EW_PERMUTATION_FLAG_COUNT = 25,
+    EW_PERMUTATION_BEAMS = 1 << 25,
+    EW_PERMUTATION_FLAG_COUNT = 26,
 };
 
 /* What becomes of the light. */
 #define EW_PERMUTATION_OF_TARGET                                                                                               \
     ((ew_key)(EW_PERMUTATION_LUMINANCE | EW_PERMUTATION_DITHER | EW_PERMUTATION_DITHER_SRGB | EW_PERMUTATION_SOFT))
+
+/* The forms of paths that the shader knows. */
+#define EW_PERMUTATION_FORMS ((ew_key)(EW_PERMUTATION_BEAMS | EW_PERMUTATION_POLYLINES | EW_PERMUTATION_BENDS))
 
 /* Above the flags stand the counts of sources by kind, each in a field of EW_PERMUTATION_COUNT_BITS: 0 and 1 stand for
  * themselves, and EW_ANY_COUNT for any. */
@@ -64,6 +68,17 @@ ew_key ew_permutation_with_depth(ew_key key, ew_depth_kind depth);
 
 /* The key with lists by tile, if it knows reaches; then any count of a kind that it knows will do. */
 ew_key ew_permutation_with_lists(ew_key key);
+
+/* The key without the forms of paths that there are none of. */
+ew_key ew_permutation_with_forms(ew_key key, const bool has_list[EW_LIST_COUNT]);
+
+/* The lists of a kind that `key` knows, from `first` to the one before `last`; and of all kinds. */
+typedef struct ew_list_range {
+    int first, last;
+} ew_list_range;
+
+ew_list_range ew_permutation_lists_of(ew_key key, int kind);
+ew_list_range ew_permutation_lists(ew_key key);
 
 /* Whether `key` knows sources of a part; and the key of the shader for these alone. */
 bool ew_permutation_has_part(ew_key key, ew_part part);

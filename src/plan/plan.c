@@ -8,6 +8,8 @@
 #include "model/media.h"
 #include "plan/frame.h"
 
+#include <string.h>
+
 /* How much the four values of a panel may bend, relative to the integral, for the whole to keep the quality's error: measured,
  * not derived (docs/method.md). */
 static double panel_tolerance(ew_quality quality)
@@ -225,6 +227,7 @@ ew_result ew_plan_frame(ew_plan *plan, ew_sources *sources, const ew_mix *mix, c
     pack_target_steps(frame->encoding, &plan->uniforms.frame);
     plan->pass = ew_draws_surfaces(frame) ? EW_PASS_SURFACES : EW_PASS_WAVE;
     plan->permutation = ew_permutation_of(mix ? mix : &current, frame);
+    if (!mix) plan->permutation = ew_permutation_with_forms(plan->permutation, sources->has_list);
     plan->source_units = mix ? (mix->has_many ? EW_MAX_SOURCE_UNITS : 0) : sources->data_size / sizeof(ew_vec4);
     set_target(plan, frame, blend_of(frame->output));
     plan->light_reach = ew_draws_surfaces(frame) ? frame->light_reach : 0;
@@ -266,6 +269,7 @@ ew_result ew_plan_lists(ew_plan *plan, ew_tile_lists *lists, const ew_sources *s
     plan->permutation = ew_permutation_with_lists(plan->permutation);
     plan->lists = lists;
     if (plan->target.blend != EW_BLEND_REPLACE) set_lit(plan, &lists->lit);
+    memcpy(plan->uniforms.list_rows, lists->list_rows, sizeof lists->list_rows);
     plan->uniforms.grid.tolerance.z = (float)ew_first_list_row(plan) * EW_TEXTURE_WIDTH;
     plan->uniforms.grid.tiles =
         (ew_ivec4){lists->columns, lists->size_log2, lists->first_x - plan->lit.x, lists->first_y - plan->lit.y};

@@ -87,15 +87,15 @@ static size_t source_varyings(const ew_dialect *dialect, ew_key key)
 static void add_defines(ew_shader_text *text, const ew_dialect *dialect, ew_key key)
 {
     static const char *const flags[EW_PERMUTATION_FLAG_COUNT] = {
-        "WEIGHTS", "DEPTH",       "SIMPSON", "LUMINANCE",  "EVALUATIONS",    "DEPTH_MULTISAMPLE",
-        "DITHER",  "DITHER_SRGB", "WORLD",   "REACH",      "CORE_PIXELS",    "SHARPNESS",
-        "SOFT",    "JOINTS",      "BENDS",   "LISTS",      "SOURCE_TEXTURE", "IRRADIANCE",
-        "SHADOWS", "NORMALS",     "FOG",     "FOG_HEIGHT", "MEDIA",          "PART",
-        "SUMMED"};
+        "WEIGHTS",        "DEPTH",      "SIMPSON",     "LUMINANCE", "EVALUATIONS", "DEPTH_MULTISAMPLE", "DITHER", "DITHER_SRGB",
+        "WORLD",          "REACH",      "CORE_PIXELS", "SHARPNESS", "SOFT",        "POLYLINES",         "BENDS",  "LISTS",
+        "SOURCE_TEXTURE", "IRRADIANCE", "SHADOWS",     "NORMALS",   "FOG",         "FOG_HEIGHT",        "MEDIA",  "PART",
+        "SUMMED",         "BEAMS"};
     add_made(text, "#define EW_SOURCE_DATA_SIZE %zu\n", dialect->capacity);
     if (key & EW_PERMUTATION_LISTS) add_made(text, "#define EW_LIST_SIZE %zu\n", dialect->list_size);
     for (int i = 0; i < EW_PERMUTATION_FLAG_COUNT; ++i)
         if (key & (ew_key)1 << i) add_made(text, "#define EW_%s\n", flags[i]);
+    if (key & (EW_PERMUTATION_POLYLINES | EW_PERMUTATION_BENDS)) add(text, "#define EW_PIECES\n");
 }
 
 /* The published method is a baseline, and reads its sources from the uniform block as it was published. */
@@ -180,10 +180,12 @@ static void add_readers(ew_shader_text *text, ew_key key)
     add_made(text, "#define EW_WEIGHT_START (");
     add_start(text, EW_KIND_COUNT, key);
     add_made(text, ")\n#define EW_ADD_KINDS");
-    for (int kind = 0; kind < EW_KIND_COUNT; ++kind)
-        if (ew_permutation_count(key, kind) > 0)
-            add_made(text, " EW_ADD_KIND(ew_%s_block, ew_%s, %d, EW_%s_COUNT)", ew_kinds[kind]->name, ew_kinds[kind]->name,
-                     kind, ew_kinds[kind]->upper_name);
+    for (int kind = 0; kind < EW_KIND_COUNT; ++kind) {
+        if (ew_permutation_count(key, kind) == 0) continue;
+        const ew_list_range lists = ew_permutation_lists_of(key, kind);
+        add_made(text, " EW_ADD_KIND(ew_%s_block, ew_%s, %d, %d, EW_%s_COUNT)", ew_kinds[kind]->name, ew_kinds[kind]->name,
+                 lists.first, lists.last, ew_kinds[kind]->upper_name);
+    }
     add_made(text, "\n");
 }
 
@@ -349,6 +351,10 @@ void ew_write_vertex_shader(ew_shader_text *text, const ew_dialect *dialect, ew_
 {
     start_stage(text, dialect, pass, key);
     add(text, "#define EW_VERTEX_STAGE\n");
+    if (key & EW_PERMUTATION_PART) {
+        const ew_list_range lists = ew_permutation_lists(key);
+        add_made(text, "#define EW_FIRST_LIST %d\n#define EW_LAST_LIST %d\n", lists.first, lists.last);
+    }
     if (pass == EW_PASS_INTERPOLATION) add(text, "#define EW_INTERPOLATED\n");
     add_file(text, ew_glsl_layout_glsl);
     add_file(text, ew_glsl_blocks_glsl);

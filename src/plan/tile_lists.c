@@ -105,7 +105,7 @@ typedef struct search {
     const ew_interval *depths;
     ew_lit_source source;
     uint32_t number; /* of the source, from 1 on */
-    int kind;
+    ew_list list;
     tile_box lit; /* by all sources */
     bool is_full; /* there are too many entries */
     bool lacks_memory;
@@ -113,7 +113,7 @@ typedef struct search {
 
 static size_t row_count(const ew_tile_lists *lists)
 {
-    return (size_t)lists->columns * (size_t)lists->rows * EW_KIND_COUNT;
+    return (size_t)lists->columns * (size_t)lists->rows * (size_t)lists->list_rows[EW_LIST_COUNT];
 }
 
 static bool is_done(const search *s)
@@ -125,7 +125,8 @@ static bool is_done(const search *s)
 static void add(search *s, const int tile[2])
 {
     ew_tile_lists *lists = s->lists;
-    const uint32_t row = (uint32_t)((tile[1] * lists->columns + tile[0]) * EW_KIND_COUNT + s->kind);
+    const int tile_row = (tile[1] * lists->columns + tile[0]) * lists->list_rows[EW_LIST_COUNT];
+    const uint32_t row = (uint32_t)(tile_row + lists->list_rows[s->list]);
     if (lists->last_sources[row] == s->number) return;
     lists->last_sources[row] = s->number;
     s->is_full = row_count(lists) + 1 + lists->pair_count >= lists->room.most;
@@ -207,15 +208,23 @@ static void find_pairs(search *s, const ew_sources *sources, double light_reach)
 {
     ew_tile_lists *lists = s->lists;
     lists->pair_count = 0;
-    s->lacks_memory = !reserve_last_sources(lists, row_count(lists), s->allocator);
+    s->lacks_memory = !reserve_last_sources(lists, row_count(lists) + 1, s->allocator);
     if (s->lacks_memory) return;
     memset(lists->last_sources, 0, row_count(lists) * sizeof *lists->last_sources);
     s->lit = (tile_box){{lists->columns, lists->rows}, {0, 0}};
-    for (s->kind = 0; s->kind < EW_KIND_COUNT; ++s->kind)
-        for (size_t i = 0; i < sources->counts[s->kind] && !is_done(s); ++i) {
-            s->source = ew_lit_source_at(sources, s->number++, light_reach);
-            add_source(s);
-        }
+    while (s->number < sources->lit_count && !is_done(s)) {
+        s->source = ew_lit_source_at(sources, s->number++, light_reach);
+        s->list = ew_list_of(&s->source);
+        add_source(s);
+    }
+}
+
+/* A list that no source goes into has no row: the next one's stands for its beginning and its end. */
+static void count_rows(ew_tile_lists *lists, const ew_sources *sources)
+{
+    lists->list_rows[0] = 0;
+    for (int list = 0; list < EW_LIST_COUNT; ++list)
+        lists->list_rows[list + 1] = lists->list_rows[list] + sources->has_list[list];
 }
 
 /* ---- Entries ---- */
@@ -321,6 +330,7 @@ ew_result ew_make_tile_lists(ew_tile_lists *lists, const ew_sources *sources, do
     lists->entry_count = 0;
     lists->room = room;
     if (!is_countable(viewport)) return EW_OK;
+    count_rows(lists, sources);
     for (int size_log2 = first_size_log2; size_log2 <= ONE_TILE_LOG2; ++size_log2) {
         lists->size_log2 = size_log2;
         lists->columns = tiles_over(viewport->width, size_log2);

@@ -2,10 +2,10 @@
  * Which sources may light which tiles of a viewport. Tiles are squares, and go on beyond the viewport as far as the nodes of
  * adaptive resolution do.
  *
- * The entries are what the shader reads (glsl/light/list.glsl). First comes a table with EW_KIND_COUNT rows a tile, tile after
- * tile: where the list of the tile's sources of each kind begins. It ends where the next row's begins; the table has one row
- * more. Then come the lists: the sources' places in their kinds. For a uniform block, entries are 16 bits wide, two in a word;
- * for a texture, each is a float.
+ * The entries are what the shader reads (glsl/light/list.glsl). First comes a table, tile after tile, with a row for each
+ * ew_list that any source of the frame goes into: where the list of the tile's sources begins. It ends where the next row's
+ * begins; the table has one row more. Then come the lists: the sources' places in their kinds. For a uniform block, entries are
+ * 16 bits wide, two in a word; for a texture, each is a float.
  */
 #ifndef EW_TILE_LISTS_H
 #define EW_TILE_LISTS_H
@@ -37,9 +37,10 @@ typedef struct ew_tile_lists {
     size_t entry_count, word_count, word_capacity;
     ew_list_room room;
     int columns, rows;
-    int size_log2;        /* of a tile's width in pixels */
-    ew_viewport lit;      /* the part of the viewport around all tiles that are lit; at least a pixel */
-    int first_x, first_y; /* pixel where the first tile begins */
+    int size_log2;                    /* of a tile's width in pixels */
+    int list_rows[EW_LIST_COUNT + 1]; /* of a tile: where each list's row is, and last, how many rows there are */
+    ew_viewport lit;                  /* the part of the viewport around all tiles that are lit; at least a pixel */
+    int first_x, first_y;             /* pixel where the first tile begins */
 
     /* While the lists are made: what was found, and for each row, which source was the last. */
     struct ew_tile_pair *pairs;

@@ -282,12 +282,12 @@ static void a_call_compiles_links_or_draws(void **state)
     ew_destroy_effect(effect);
 }
 
-/* Some drivers finish a shader only when it draws. Of all kinds of sources, a shader for each of the four parts and one for
+/* Some drivers finish a shader only when it draws. Of all kinds of sources, a shader for each of the five parts and one for
  * their sum are compiled, and each makes its first draw in a call of its own. */
 static void a_call_draws_with_one_shader_for_the_first_time(void **state)
 {
     (void)state;
-    enum { SHADERS = 5 };
+    enum { SHADERS = 6 };
     watched_gl_start(&watched, context);
     watched.completion_delay = 0;
     ew_effect *effect = create_effect();

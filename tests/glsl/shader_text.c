@@ -64,7 +64,7 @@ static bool takes_weights(unsigned kinds)
     return false;
 }
 
-static bool takes_bends(unsigned kinds)
+static bool takes_forms(unsigned kinds)
 {
     for (int kind = 0; kind < EW_KIND_COUNT; ++kind)
         if (kinds & 1u << kind && ew_kinds[kind]->chain) return true;
@@ -133,20 +133,25 @@ static void write_parts(const shader_profile *profile, ew_key key)
     write_pass(profile, EW_PASS_SURFACES, ew_permutation_summed(0));
 }
 
+/* Whether a set of kinds is written with paths of these forms: of all at once, beams and the most general path will do. */
+static bool has_forms(unsigned kinds, ew_key forms)
+{
+    if (!takes_forms(kinds)) return forms == 0;
+    if (kind_count(kinds) > 1) return forms == EW_PERMUTATION_BEAMS || forms == EW_PERMUTATION_FORMS;
+    return forms != 0;
+}
+
 /* Every integral that the kinds can have. */
 static void write_integrals(const shader_profile *profile, unsigned kinds, size_t first_count)
 {
-    const unsigned flags[] = {EW_PERMUTATION_WEIGHTS, EW_PERMUTATION_SIMPSON, EW_PERMUTATION_CORE_PIXELS, EW_PERMUTATION_JOINTS,
-                              EW_PERMUTATION_BENDS};
-    for (unsigned set = 0; set < 32; ++set) {
+    const unsigned flags[] = {EW_PERMUTATION_WEIGHTS, EW_PERMUTATION_SIMPSON,   EW_PERMUTATION_CORE_PIXELS,
+                              EW_PERMUTATION_BEAMS,   EW_PERMUTATION_POLYLINES, EW_PERMUTATION_BENDS};
+    for (unsigned set = 0; set < 64; ++set) {
         ew_key key = 0;
-        for (int i = 0; i < 5; ++i)
+        for (int i = 0; i < 6; ++i)
             if (set & 1u << i) key |= flags[i];
-        /* What is bent has joints, and of all kinds at once the most general path will do. */
-        if (key & EW_PERMUTATION_BENDS && !(key & EW_PERMUTATION_JOINTS)) continue;
-        if (key & EW_PERMUTATION_JOINTS && !(key & EW_PERMUTATION_BENDS) && kind_count(kinds) > 1) continue;
+        if (!has_forms(kinds, key & EW_PERMUTATION_FORMS)) continue;
         if (key & EW_PERMUTATION_WEIGHTS && !takes_weights(kinds)) continue;
-        if (key & EW_PERMUTATION_JOINTS && !takes_bends(kinds)) continue;
         for (int field = 0; field < FIELD_COUNT; ++field) {
             ew_key exact = with_kinds(key | fields[field], kinds, first_count);
             bool has_lists = first_count == EW_ANY_COUNT && !(key & EW_PERMUTATION_SIMPSON);
@@ -164,8 +169,9 @@ static void write_all_integrals(const shader_profile *profile)
         if (count <= 2 || kinds == all_kinds) write_integrals(profile, kinds, 1);
         if (count == 1 || kinds == all_kinds) write_integrals(profile, kinds, EW_ANY_COUNT);
         if (count <= 2 || kinds == all_kinds) continue;
-        write_permutation(profile, with_kinds(0, kinds, 1));
-        write_permutation(profile, with_kinds(fields[3] | EW_PERMUTATION_CORE_PIXELS, kinds, EW_ANY_COUNT));
+        const ew_key forms = takes_forms(kinds) ? EW_PERMUTATION_BEAMS : 0;
+        write_permutation(profile, with_kinds(forms, kinds, 1));
+        write_permutation(profile, with_kinds(forms | fields[3] | EW_PERMUTATION_CORE_PIXELS, kinds, EW_ANY_COUNT));
     }
 }
 
@@ -179,12 +185,11 @@ static void write_grid_passes(const shader_profile *profile, ew_key key)
 
 /* What the light on surfaces may know of its sources beside their kinds. */
 static const unsigned emitters[] = {
-    EW_PERMUTATION_IRRADIANCE | EW_PERMUTATION_WORLD,
-    EW_PERMUTATION_IRRADIANCE | EW_PERMUTATION_WORLD | EW_PERMUTATION_REACH,
-    EW_PERMUTATION_IRRADIANCE | EW_PERMUTATION_WORLD | EW_PERMUTATION_REACH | EW_PERMUTATION_WEIGHTS,
-    EW_PERMUTATION_IRRADIANCE | EW_PERMUTATION_WORLD | EW_PERMUTATION_REACH | EW_PERMUTATION_JOINTS,
-    EW_PERMUTATION_IRRADIANCE | EW_PERMUTATION_WORLD | EW_PERMUTATION_REACH | EW_PERMUTATION_JOINTS | EW_PERMUTATION_BENDS |
-        EW_PERMUTATION_WEIGHTS,
+    EW_PERMUTATION_BEAMS,
+    EW_PERMUTATION_REACH | EW_PERMUTATION_BEAMS,
+    EW_PERMUTATION_REACH | EW_PERMUTATION_BEAMS | EW_PERMUTATION_WEIGHTS,
+    EW_PERMUTATION_REACH | EW_PERMUTATION_POLYLINES,
+    EW_PERMUTATION_REACH | EW_PERMUTATION_BEAMS | EW_PERMUTATION_POLYLINES | EW_PERMUTATION_BENDS | EW_PERMUTATION_WEIGHTS,
 };
 
 /* The light on surfaces: of the kinds one by one, and of all at once. */
@@ -192,7 +197,7 @@ static void write_surfaces(const shader_profile *profile)
 {
     const unsigned shaded = EW_PERMUTATION_SHADOWS | EW_PERMUTATION_NORMALS;
     for (size_t i = 0; i < sizeof emitters / sizeof emitters[0]; ++i) {
-        const ew_key key = emitters[i] | EW_PERMUTATION_DEPTH;
+        const ew_key key = emitters[i] | EW_PERMUTATION_IRRADIANCE | EW_PERMUTATION_WORLD | EW_PERMUTATION_DEPTH;
         const ew_key many = with_kinds(ew_permutation_with_lists(key), all_kinds, EW_ANY_COUNT);
         for (int kind = 0; kind < EW_KIND_COUNT; ++kind)
             write_pass(profile, EW_PASS_SURFACES, ew_permutation_with_count(key | (kind % 2 ? shaded : 0), kind, 1));
@@ -224,7 +229,7 @@ static void write_passes(const shader_profile *profile)
                 ew_key key = depths[depth] | outputs[output] | fields[field];
                 write_fragment_shader(profile, key);
                 write_grid_passes(profile, key);
-                key |= EW_PERMUTATION_WEIGHTS | EW_PERMUTATION_JOINTS | EW_PERMUTATION_BENDS | EW_PERMUTATION_CORE_PIXELS;
+                key |= EW_PERMUTATION_WEIGHTS | EW_PERMUTATION_FORMS | EW_PERMUTATION_CORE_PIXELS;
                 ew_key general = ew_permutation_with_lists(with_kinds(key, all_kinds, EW_ANY_COUNT));
                 write_fragment_shader(profile, general);
                 write_grid_passes(profile, general);
@@ -244,12 +249,11 @@ static void write_fogs(const shader_profile *profile)
     for (int fog = 0; fog < 4; ++fog)
         for (int field = 0; field < FIELD_COUNT; ++field) {
             ew_key plain = fogs[fog] | fields[field];
-            ew_key general = plain | EW_PERMUTATION_WEIGHTS | EW_PERMUTATION_JOINTS | EW_PERMUTATION_CORE_PIXELS;
+            const ew_key general = plain | EW_PERMUTATION_WEIGHTS | EW_PERMUTATION_FORMS | EW_PERMUTATION_CORE_PIXELS;
             for (int kind = 0; kind < EW_KIND_COUNT; ++kind) {
-                write_permutation(profile, with_kinds(plain, 1u << kind, 1));
-                write_permutation(profile, with_kinds(general, 1u << kind, 1));
+                write_permutation(profile, with_kinds(plain | EW_PERMUTATION_BEAMS, 1u << kind, 1));
+                write_permutation(profile, with_kinds(general & ~(ew_key)EW_PERMUTATION_BENDS, 1u << kind, 1));
             }
-            general |= EW_PERMUTATION_BENDS;
             ew_key with_lists = ew_permutation_with_lists(with_kinds(general, all_kinds, EW_ANY_COUNT));
             write_permutation(profile, with_lists);
             write_grid_passes(profile, with_lists);
@@ -302,10 +306,10 @@ static void write_include(const shader_profile *profile, ew_key key)
 /* Without sources, of the kinds one by one, and of all at once with all that they may have. */
 static void write_includes(const shader_profile *profile)
 {
-    const unsigned extras = EW_PERMUTATION_WEIGHTS | EW_PERMUTATION_JOINTS | EW_PERMUTATION_BENDS | EW_PERMUTATION_CORE_PIXELS;
+    const ew_key extras = EW_PERMUTATION_WEIGHTS | EW_PERMUTATION_FORMS | EW_PERMUTATION_CORE_PIXELS;
     for (unsigned simpson = 0; simpson <= EW_PERMUTATION_SIMPSON; simpson += EW_PERMUTATION_SIMPSON)
         for (int field = 0; field < FIELD_COUNT; ++field) {
-            ew_key flags = simpson | fields[field];
+            ew_key flags = simpson | fields[field] | EW_PERMUTATION_BEAMS;
             write_include(profile, flags);
             for (int kind = 0; kind < EW_KIND_COUNT; ++kind) {
                 write_include(profile, ew_permutation_with_count(flags, kind, (size_t)kind % 2 + 1));

@@ -145,23 +145,41 @@ static void every_source_is_of_one_part(void **state)
     (void)state;
     const ew_key all = ew_permutation_of(&all_kinds, &defaults);
     for (int kind = 0; kind < EW_KIND_COUNT; ++kind) {
-        int straight = 0, bent = 0;
+        ew_key forms = 0;
+        int part_count = 0;
         for (int part = 0; part < EW_PART_COUNT; ++part) {
             const ew_key key = ew_permutation_of_part(all, (ew_part)part);
             if (ew_permutation_count(key, kind) == 0) continue;
             assert_true(ew_permutation_has_part(all, (ew_part)part));
             assert_true(key & EW_PERMUTATION_PART);
-            if (key & EW_PERMUTATION_BENDS)
-                bent++;
-            else
-                straight++;
+            assert_int_equal(key & EW_PERMUTATION_FORMS & forms, 0);
+            forms |= key & EW_PERMUTATION_FORMS;
+            part_count++;
         }
-        assert_int_equal(straight, 1);
-        assert_int_equal(bent, ew_kinds[kind]->chain ? 1 : 0);
+        assert_int_equal(part_count, ew_kinds[kind]->chain ? 3 : 1);
+        if (ew_kinds[kind]->chain) assert_int_equal(forms, EW_PERMUTATION_FORMS);
     }
 }
 
-/* A shader for bent paths leaves out the straight ones, and the other way round. */
+/* Or a cell that a list of the part lights would not be drawn, or one that none of them does. */
+static void the_lists_of_a_part_are_neighbours_and_no_other_part_has_them(void **state)
+{
+    (void)state;
+    const ew_key all = ew_permutation_of(&all_kinds, &defaults);
+    int parts_with[EW_LIST_COUNT] = {0};
+    for (int part = 0; part < EW_PART_COUNT; ++part) {
+        const ew_list_range lists = ew_permutation_lists(ew_permutation_of_part(all, (ew_part)part));
+        for (int list = lists.first; list < lists.last; ++list)
+            parts_with[list]++;
+    }
+    for (int list = 0; list < EW_LIST_COUNT; ++list)
+        assert_int_equal(parts_with[list], 1);
+    const ew_list_range whole = ew_permutation_lists(all);
+    assert_int_equal(whole.first, 0);
+    assert_int_equal(whole.last, EW_LIST_COUNT);
+}
+
+/* A shader for one form of paths leaves out the others. */
 static void no_part_covers_another(void **state)
 {
     (void)state;
@@ -189,7 +207,8 @@ static void what_is_long_is_split_where_light_can_be_summed_up(void **state)
         {{.point_count = 1, .torus_count = 1}, false, true},
         {{.curve_count = 9}, false, false},
         {{.point_count = 1, .curve_count = 1}, true, true},
-        {{.path_count = 9, .has_joints = 1}, false, false},
+        {{.path_count = 9}, false, false},
+        {{.path_count = 9, .has_joints = 1}, false, true},
         {{.path_count = 9, .has_bends = 1}, false, true},
         {{.point_count = 1, .path_count = 1, .has_bends = 1}, true, true},
     };
@@ -245,6 +264,7 @@ int main(void)
         cmocka_unit_test(fog_counts_only_where_there_is_some),
         cmocka_unit_test(media_are_seen_in_pictures_and_dim_all_that_is_measured),
         cmocka_unit_test(every_source_is_of_one_part),
+        cmocka_unit_test(the_lists_of_a_part_are_neighbours_and_no_other_part_has_them),
         cmocka_unit_test(no_part_covers_another),
         cmocka_unit_test(what_is_long_is_split_where_light_can_be_summed_up),
         cmocka_unit_test(bends_count_only_where_there_are_paths),

@@ -44,13 +44,14 @@ static size_t first_row(const ew_plan *plan, double x, double y)
     const ew_ivec4 *tiles = &plan->uniforms.grid.tiles;
     int column = ((int)floor(x) - plan->lit.x - tiles->z) >> tiles->y;
     int row = ((int)floor(y) - plan->lit.y - tiles->w) >> tiles->y;
-    return (size_t)(row * tiles->x + column) * EW_KIND_COUNT;
+    return (size_t)(row * tiles->x + column) * (size_t)plan->uniforms.list_rows[EW_LIST_COUNT];
 }
 
-static bool is_listed(const ew_plan *plan, size_t row, int kind, size_t place)
+static bool is_listed(const ew_plan *plan, size_t row, ew_list list, size_t place)
 {
     const ew_tile_lists *lists = plan->lists;
-    for (size_t i = entry(lists, row + (size_t)kind); i < entry(lists, row + (size_t)kind + 1); ++i)
+    const int *rows = plan->uniforms.list_rows;
+    for (size_t i = entry(lists, row + (size_t)rows[list]); i < entry(lists, row + (size_t)rows[list + 1]); ++i)
         if (entry(lists, i) == place) return true;
     return false;
 }
@@ -58,9 +59,10 @@ static bool is_listed(const ew_plan *plan, size_t row, int kind, size_t place)
 /* How many tiles list some source. */
 static size_t count_lit_tiles(const ew_tile_lists *lists)
 {
-    size_t count = 0, rows = (size_t)(lists->columns * lists->rows) * EW_KIND_COUNT;
-    for (size_t row = 0; row < rows; row += EW_KIND_COUNT)
-        count += entry(lists, row) < entry(lists, row + EW_KIND_COUNT);
+    const size_t step = (size_t)lists->list_rows[EW_LIST_COUNT];
+    size_t count = 0, rows = (size_t)(lists->columns * lists->rows) * step;
+    for (size_t row = 0; row < rows; row += step)
+        count += entry(lists, row) < entry(lists, row + step);
     return count;
 }
 
@@ -91,7 +93,7 @@ static void what_lights_a_place_is_in_the_list_of_its_tile(void **state)
                 double x = (0.5 * seen[0] + 0.5) * SIZE, y = (0.5 * seen[1] + 0.5) * SIZE;
                 if (!(x >= -MARGIN && x < SIZE + MARGIN && y >= -MARGIN && y < SIZE + MARGIN)) continue;
                 ++visible;
-                if (!is_listed(&plan, first_row(&plan, x, y), k, 0))
+                if (!is_listed(&plan, first_row(&plan, x, y), ew_list_of(&sources.lit[0]), 0))
                     fail_msg("%s, scene %d: (%g, %g) is lit at depth %g of %g to %g", kind->name, number, x, y, seen[2],
                              plan.depths.start, plan.depths.end);
                 const ew_viewport *lit = &plan.lit;
@@ -159,6 +161,33 @@ static void lists_keep_the_order_of_the_sources(void **state)
     release(&sources, &lists);
 }
 
+/* They are integrated in different ways, and a list that no source goes into takes no room. */
+static void paths_of_each_form_have_lists_of_their_own(void **state)
+{
+    (void)state;
+    const double places[][3] = {{-1, 0, -5}, {0, 1, -5}, {1, 0, -5}};
+    const ew_path light = {.points = places, .coefficient = 1, .core = 1e-3, .reach = 0.1};
+    ew_path paths[] = {light, light, light, light};
+    paths[0].kind = EW_PATH_CATMULL_ROM;
+    paths[0].point_count = 3;
+    paths[1].point_count = 2;
+    paths[2].point_count = 3;
+    paths[3].point_count = 2;
+    const ew_list expected[] = {EW_LIST_BENDS, EW_LIST_BEAMS, EW_LIST_POLYLINES, EW_LIST_BEAMS};
+    const ew_sources_desc desc = {.paths = paths, .path_count = 4, .epsilon = 1};
+    const ew_frame_desc frame = lit_scene_plain_frame();
+    ew_sources sources = {0};
+    ew_tile_lists lists = {0};
+    const ew_plan plan = plan_of(&desc, &frame, block, &sources, &lists);
+    const double x = SIZE / 2 * (1 - 1.0 / 5);
+    const size_t row = first_row(&plan, x, SIZE / 2);
+    assert_int_equal(lists.list_rows[EW_LIST_COUNT], 3);
+    for (size_t i = 0; i < 4; ++i)
+        for (int list = 0; list < EW_LIST_COUNT; ++list)
+            assert_int_equal(is_listed(&plan, row, (ew_list)list, i), list == (int)expected[i]);
+    release(&sources, &lists);
+}
+
 /* Down to a tile for all, and then none. */
 static void tiles_are_wider_where_there_is_less_room(void **state)
 {
@@ -171,17 +200,17 @@ static void tiles_are_wider_where_there_is_less_room(void **state)
     ew_sources sources = {0};
     ew_tile_lists lists = {0};
     int previous = 0;
-    const size_t rooms[] = {1 << 20, 32768, 8192, 2048, EW_KIND_COUNT + 1 + 100};
+    const size_t rooms[] = {1 << 20, 32768, 8192, 2048, 1 + 1 + 100};
     for (int i = 0; i < 5; ++i) {
         const ew_plan plan = plan_of(&desc, &frame, (ew_list_room){.most = rooms[i]}, &sources, &lists);
         assert_in_range(lists.entry_count, 1, rooms[i]);
         assert_true(lists.size_log2 >= previous);
         previous = lists.size_log2;
-        assert_true(is_listed(&plan, first_row(&plan, SIZE / 2, SIZE / 2), 0, 0));
+        assert_true(is_listed(&plan, first_row(&plan, SIZE / 2, SIZE / 2), EW_LIST_POINTS, 0));
         assert_true(plan.permutation & EW_PERMUTATION_LISTS);
     }
     assert_int_equal(lists.columns * lists.rows, 1);
-    const ew_plan plan = plan_of(&desc, &frame, (ew_list_room){.most = EW_KIND_COUNT + 100}, &sources, &lists);
+    const ew_plan plan = plan_of(&desc, &frame, (ew_list_room){.most = 1 + 100}, &sources, &lists);
     assert_false(plan.permutation & EW_PERMUTATION_LISTS);
     assert_null(plan.lists);
     release(&sources, &lists);
@@ -282,6 +311,7 @@ int main(void)
         cmocka_unit_test(a_slanted_beam_is_not_listed_in_all_of_its_rectangle),
         cmocka_unit_test(light_behind_the_eye_is_in_no_list),
         cmocka_unit_test(lists_keep_the_order_of_the_sources),
+        cmocka_unit_test(paths_of_each_form_have_lists_of_their_own),
         cmocka_unit_test(tiles_are_wider_where_there_is_less_room),
         cmocka_unit_test(a_texture_gets_the_lists_of_a_block),
         cmocka_unit_test(a_viewport_beyond_all_limits_has_no_lists),
