@@ -54,10 +54,17 @@ float ew_others(const vec4 sum, const vec4 color)
 // group have not may see its values computed once more (llvmpipe does so); so the search stays where it is once it has found one.
 #define EW_LIT(source) min(ew_chord(segment, source), max(ew_last_lit(source.glow), 0.0))
 #define EW_CHORD(source) mix(whole, EW_LIT(source), bvec2(ew_has_reach(source.glow)))
+#ifdef EW_SOFTWARE
+// It is kept from within the loop, where a software rasteriser gathers it component by component.
+#define EW_TRY(block, read) source = read(EW_PLACE(i)); chord = EW_CHORD(source); hit = hit || chord.x < chord.y; i += hit ? 0 : 1;
+#define EW_FIND(block, read) block source; bool hit = false; do { EW_TRY(block, read) } while (!hit && i < end);
+#define EW_HIT(block, read) EW_ADD_SOURCE(source); ++i;
+#else
+// The source is read anew: SwiftShader loses one that is kept from within the loop.
 #define EW_TRY(block, read) block tried = read(EW_PLACE(i)); chord = EW_CHORD(tried); hit = hit || chord.x < chord.y; i += hit ? 0 : 1;
 #define EW_FIND(block, read) bool hit = false; do { EW_TRY(block, read) } while (!hit && i < end);
-// The source is read anew: SwiftShader loses one that is kept from within the loop.
 #define EW_HIT(block, read) block source = read(EW_PLACE(i)); chord = EW_CHORD(source); EW_ADD_SOURCE(source); ++i;
+#endif
 #define EW_ADD(block, read) EW_FIND(block, read) if (hit) { EW_HIT(block, read) }
 #define EW_ADD_ALL(block, read) if (i < end) { do { EW_ADD(block, read) } while (i < end); }
 #else

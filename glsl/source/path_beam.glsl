@@ -103,32 +103,32 @@ float ew_integrate_beam_parts(const ew_beam beam, const vec2 chord, const vec3 w
 }
 #elif defined(EW_WORLD)
 // Both ends of a beam at once, by the form of ew_integrate_node: of each, from the edge of its cap to the end of what the ray has of
-// its reach.
+// its reach. With y = sqrt(k) (s - s0) the squared distance is b2 + y^2.
 vec2 ew_integrate_beam_ends(const ew_beam beam, const vec2 chord, const vec4 glow)
 {
-    float k = beam.k.x;
-    float root_k = sqrt(k);
+    float root_k = sqrt(beam.k.x);
+    float inverse_root_k = 1.0 / root_k;
     vec2 s0 = beam.s0.xz;
     vec2 b2 = beam.b2.xz;
     vec2 b = sqrt(b2);
-    vec2 half_chord = sqrt(max((glow.y - b) * (glow.y + b), 0.0) / k);
-    vec4 y = clamp(vec4(chord.x, beam.planes, chord.y) - s0.xxyy, -half_chord.xxyy, half_chord.xxyy);
+    vec2 half_chord = sqrt(max((glow.y - b) * (glow.y + b), 0.0));
+    vec4 y = clamp(root_k * (vec4(chord.x, beam.planes, chord.y) - s0.xxyy), -half_chord.xxyy, half_chord.xxyy);
     vec2 core2 = vec2(ew_core2(glow, max(s0.x, 0.0)), ew_core2(glow, max(s0.y, 0.0)));
-    vec2 half_core = sqrt(max(core2 - b2, 0.0) / k);
+    vec2 half_core = sqrt(max(core2 - b2, 0.0));
     vec4 outside = max(abs(y), half_core.xxyy);
-    vec4 power = sqrt(b2.xxyy + k * outside * outside) + root_k * outside;
-    vec2 at_core = sqrt(max(core2, b2)) + root_k * half_core;
-    power /= at_core.xxyy;
-    // The antiderivative is odd in y.
-    vec4 odd = mix(power, 1.0 / power, lessThan(y, vec4(0.0)));
-    vec4 inside = clamp(y, -half_core.xxyy, half_core.xxyy);
+    vec4 power = sqrt(b2.xxyy + outside * outside) + outside;
+    vec2 at_core = sqrt(max(core2, b2)) + half_core;
+    // The antiderivative is odd in y, and of its values at both ends of a part the logarithms are one, of a quotient.
+    bvec4 is_after = greaterThan(y, vec4(0.0));
+    vec4 above = mix(at_core.xxyy, power, is_after);
+    vec4 below = mix(power, at_core.xxyy, is_after);
+    vec2 sides = 0.69314718 * log2((above.yw * below.xz) / (below.yw * above.xz));
     vec2 tilt = vec2(ew_core_tilt(glow, max(s0.x, 0.0)), ew_core_tilt(glow, max(s0.y, 0.0)));
     vec2 at_point = 1.0 + tilt * max(-s0, 0.0);
-    inside *= at_point.xxyy - 0.5 * tilt.xxyy * inside;
-    vec2 sides = (0.69314718 / root_k) * log2(vec2(odd.y / odd.x, odd.w / odd.z));
+    vec4 inside = clamp(y, -half_core.xxyy, half_core.xxyy);
+    inside *= at_point.xxyy - 0.5 * inverse_root_k * tilt.xxyy * inside;
     ew_evaluation_count += 2;
-    return sides + vec2(inside.y - inside.x, inside.w - inside.z) * inversesqrt(core2) -
-           vec2(y.y - y.x, y.w - y.z) * ew_inverse_reach(glow);
+    return inverse_root_k * (sides + (inside.yw - inside.xz) * inversesqrt(core2) - (y.yw - y.xz) * ew_inverse_reach(glow));
 }
 
 // `weights` are those of the first end, the line and the last end.
