@@ -26,14 +26,15 @@ vec2 ew_chord_of_piece(const ew_segment segment, const ew_path_block path, const
     return chord;
 }
 
-// The first piece from the i-th on that the ray does not miss; the count of pieces if there is none. Like sources (light.glsl),
-// the others are passed over in a loop of their own, which stays where it is once it has found one.
-int ew_find_piece(const ew_segment segment, const ew_path_block path, int i, const vec2 chord)
+// The first piece from the i-th on that the ray does not miss, and the part of `chord` on which it is within reach; the count of pieces if
+// there is none. Like sources (light.glsl), the others are passed over in a loop of their own, which stays where it is once it has found
+// one.
+int ew_find_piece(const ew_segment segment, const ew_path_block path, int i, const vec2 chord, out vec2 part)
 {
     int count = int(path.pieces.y);
     bool is_hit = false;
     do {
-        vec2 part = ew_chord_of_piece(segment, path, i, chord);
+        part = ew_chord_of_piece(segment, path, i, chord);
         is_hit = is_hit || part.x < part.y;
         i += is_hit ? 0 : 1;
     } while (!is_hit && i < count && i < EW_MAX_PATH_PIECES);
@@ -58,7 +59,8 @@ float ew_integrate_bends(const ew_segment segment, const ew_path_block path, con
     float sum = 0.0;
     bool has_start = false; // the ray does not miss the first piece
     int done = 0;
-    int i = ew_find_piece(segment, path, 0, chord);
+    vec2 part;
+    int i = ew_find_piece(segment, path, 0, chord, part);
     // The next piece is looked for before the loop ends, so that a software rasteriser does not go through it for nothing.
     do {
         if (i < count) {
@@ -70,7 +72,6 @@ float ew_integrate_bends(const ew_segment segment, const ew_path_block path, con
             arc.place = domain.z;
             arc.place_slope = domain.w - domain.z;
 #endif
-            vec2 part = ew_chord_of_piece(segment, path, i, chord);
             ew_cell first_cell = ew_cell_of_end(arc, arc.first, 1.0);
             ew_cell last_cell = ew_cell_of_end(arc, arc.last, -1.0);
             vec2 first, next_last;
@@ -86,7 +87,7 @@ float ew_integrate_bends(const ew_segment segment, const ew_path_block path, con
             last_weight = ew_path_weight(path, domain.w);
             end = ew_place_at(curve, arc.last);
             done = ++i;
-            i = ew_find_piece(segment, path, i, chord);
+            i = ew_find_piece(segment, path, i, chord, part);
         }
     } while (i < count && i < EW_MAX_PATH_PIECES);
     bool has_end = done == count && (has_start || !is_closed);
