@@ -140,6 +140,10 @@ struct ew_bent_block {
     vec4 along;  // of a cylinder around the piece, whose axis goes through the ball's centre: its direction, w: its radius
 };
 
+// How many vec4 a piece takes.
+#define EW_STRAIGHT_UNITS 2
+#define EW_BENT_UNITS 7
+
 // One polynomial piece of S(t), equation (15): x + y f + z f^2 with f in [0, 1] along the piece.
 struct ew_weight_block {
     vec4 polynomial;

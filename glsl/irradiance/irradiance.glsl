@@ -36,10 +36,10 @@ void ew_start_picking(const float light)
 #endif
 
 #define EW_RECEIVE(source) EW_FIND_LIGHT(source) sum += ew_shine(source.color, light);
-#define EW_SHINE(block, read) block source = read(EW_PLACE(i)); EW_RECEIVE(source) ++i;
+#define EW_SHINE(block, read, step) block source = read(i); EW_RECEIVE(source) i += step(i);
 #undef EW_ADD_KIND
-#define EW_RECEIVE_ALL(block, read) if (i < end) { do { EW_SHINE(block, read) } while (i < end); }
-#define EW_ADD_KIND(block, read, first, last, count) EW_EACH(first, last, count, EW_RECEIVE_ALL(block, read))
+#define EW_RECEIVE_ALL(block, read, step) if (i < end) { do { EW_SHINE(block, read, step) } while (i < end); }
+#define EW_ADD_KIND(block, read, step, first, last, count) EW_EACH(first, last, count, EW_RECEIVE_ALL(block, read, step))
 
 // `color` is a source's: its w is the coefficient.
 vec3 ew_shine(const vec4 color, const float irradiance)

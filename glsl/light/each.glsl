@@ -11,4 +11,5 @@
 #define EW_END(last, count) count
 #define EW_PLACE(i) i
 #endif
+// `read` reads a source by its place in the lists, and `step` says how many places it takes there.
 #define EW_EACH(first, last, count, body) { int i = EW_FIRST(first); int end = EW_END(last, count); body }

@@ -46,8 +46,8 @@ float ew_others(const vec4 sum, const vec4 color)
 #define EW_ADD_SOURCE(source) ew_add(EW_INTEGRAL(source, chord), source.color, source.glow, sum)
 #endif
 #ifdef EW_FIELD
-#define EW_ADD(block, read) block source = read(EW_PLACE(i)); sum.a += ew_field_of(segment, source); ++i;
-#define EW_ADD_ALL(block, read) if (i < end) { do { EW_ADD(block, read) } while (i < end); }
+#define EW_ADD(block, read, step) block source = read(i); sum.a += ew_field_of(segment, source); i += step(i);
+#define EW_ADD_ALL(block, read, step) if (i < end) { do { EW_ADD(block, read, step) } while (i < end); }
 #elif defined(EW_REACH)
 // Sources that the ray misses are passed over in a loop of their own: where a group of pixels has few, a software rasteriser goes
 // through the expensive body as often as the pixel of the group that has most. A pixel that has left that loop while others of its
@@ -56,22 +56,22 @@ float ew_others(const vec4 sum, const vec4 color)
 #define EW_CHORD(source) mix(whole, EW_LIT(source), bvec2(ew_has_reach(source.glow)))
 #ifdef EW_SOFTWARE
 // It is kept from within the loop, where a software rasteriser gathers it component by component.
-#define EW_TRY(block, read) source = read(EW_PLACE(i)); chord = EW_CHORD(source); hit = hit || chord.x < chord.y; i += hit ? 0 : 1;
-#define EW_FIND(block, read) block source; bool hit = false; do { EW_TRY(block, read) } while (!hit && i < end);
-#define EW_HIT(block, read) EW_ADD_SOURCE(source); ++i;
+#define EW_TRY(block, read, step) source = read(i); chord = EW_CHORD(source); hit = hit || chord.x < chord.y; i += hit ? 0 : step(i);
+#define EW_FIND(block, read, step) block source; bool hit = false; do { EW_TRY(block, read, step) } while (!hit && i < end);
+#define EW_HIT(block, read, step) EW_ADD_SOURCE(source); i += step(i);
 #else
 // The source is read anew: SwiftShader loses one that is kept from within the loop.
-#define EW_TRY(block, read) block tried = read(EW_PLACE(i)); chord = EW_CHORD(tried); hit = hit || chord.x < chord.y; i += hit ? 0 : 1;
-#define EW_FIND(block, read) bool hit = false; do { EW_TRY(block, read) } while (!hit && i < end);
-#define EW_HIT(block, read) block source = read(EW_PLACE(i)); chord = EW_CHORD(source); EW_ADD_SOURCE(source); ++i;
+#define EW_TRY(block, read, step) block tried = read(i); chord = EW_CHORD(tried); hit = hit || chord.x < chord.y; i += hit ? 0 : step(i);
+#define EW_FIND(block, read, step) bool hit = false; do { EW_TRY(block, read, step) } while (!hit && i < end);
+#define EW_HIT(block, read, step) block source = read(i); chord = EW_CHORD(source); EW_ADD_SOURCE(source); i += step(i);
 #endif
-#define EW_ADD(block, read) EW_FIND(block, read) if (hit) { EW_HIT(block, read) }
-#define EW_ADD_ALL(block, read) if (i < end) { do { EW_ADD(block, read) } while (i < end); }
+#define EW_ADD(block, read, step) EW_FIND(block, read, step) if (hit) { EW_HIT(block, read, step) }
+#define EW_ADD_ALL(block, read, step) if (i < end) { do { EW_ADD(block, read, step) } while (i < end); }
 #else
-#define EW_ADD(block, read) block source = read(EW_PLACE(i)); EW_ADD_SOURCE(source); ++i;
-#define EW_ADD_ALL(block, read) if (i < end) { do { EW_ADD(block, read) } while (i < end); }
+#define EW_ADD(block, read, step) block source = read(i); EW_ADD_SOURCE(source); i += step(i);
+#define EW_ADD_ALL(block, read, step) if (i < end) { do { EW_ADD(block, read, step) } while (i < end); }
 #endif
-#define EW_ADD_KIND(block, read, first, last, count) EW_EACH(first, last, count, EW_ADD_ALL(block, read))
+#define EW_ADD_KIND(block, read, step, first, last, count) EW_EACH(first, last, count, EW_ADD_ALL(block, read, step))
 
 // The light of all sources along a segment: sum B_i color_i, and sum B_i as the fourth component. C defines EW_ADD_KINDS: one
 // EW_ADD_KIND for each kind that the shader knows.

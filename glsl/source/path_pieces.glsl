@@ -17,13 +17,13 @@ float ew_path_weight(const ew_path_block path, const float t)
 // A vec4 of the ew_straight_block or ew_bent_block of the i-th piece.
 vec4 ew_straight_unit(const ew_path_block path, const int i, const int unit)
 {
-    return ew_source_unit(int(path.pieces.x) + 2 * i + unit);
+    return ew_source_unit(int(path.pieces.x) + EW_STRAIGHT_UNITS * i + unit);
 }
 
 #ifdef EW_BENDS
 vec4 ew_bent_unit(const ew_path_block path, const int i, const int unit)
 {
-    return ew_source_unit(int(path.pieces.x) + 7 * i + unit);
+    return ew_source_unit(int(path.pieces.x) + EW_BENT_UNITS * i + unit);
 }
 
 // The i-th piece of a path, as a curve. A loop, because some compilers put a dozen branches into the shader for every read.

@@ -79,10 +79,16 @@ typedef enum ew_list {
     EW_LIST_TORI,
     EW_LIST_CURVES,
 } ew_list;
+
+/* Whether the sources of a list have pieces, of which a tile is lit by some. */
+static inline bool ew_list_has_pieces(ew_list list)
+{
+    return list == EW_LIST_POLYLINES || list == EW_LIST_BENDS;
+}
 _Static_assert(EW_LIST_CURVES + 1 == EW_LIST_COUNT, "GLSL counts other lists");
 
-/* The most units (vec4) that a piece of a chain takes. */
-enum { EW_MAX_PIECE_UNITS = sizeof(struct ew_bent_block) / sizeof(ew_vec4) };
+_Static_assert(EW_STRAIGHT_UNITS == sizeof(struct ew_straight_block) / sizeof(ew_vec4), "a straight piece takes other units");
+_Static_assert(EW_BENT_UNITS == sizeof(struct ew_bent_block) / sizeof(ew_vec4), "a bent piece takes other units");
 
 /* The most files of GLSL that one kind has. */
 enum { EW_KIND_MAX_FILES = 8 };
@@ -106,6 +112,7 @@ typedef struct ew_chain_kind {
     size_t (*most_piece_units)(const void *source);
     /* As `hull` of a kind, of one piece. */
     ew_hull (*hull)(const void *piece);
+    const char *list_file;         /* of GLSL: reads a source by its place in the lists */
     const char *const *bend_files; /* of GLSL, before the kind's own, if the shader knows bent pieces; up to a NULL */
     const char *const *sampled_bend_files;
     /* Completes the source's block and packs its pieces into `units`. */

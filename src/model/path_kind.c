@@ -74,13 +74,13 @@ static size_t piece_units(const void *source, const void *pieces, size_t piece_c
         is_bent = is_bent || !piece[i].is_straight || (path->weight_count > 0 && !is_even);
     }
     if (piece_count == 1 && !is_bent && !piece->starts_at_joint && piece->domain[0] == 0 && piece->domain[1] == 1) return 0;
-    return (is_bent ? sizeof(struct ew_bent_block) : sizeof(struct ew_straight_block)) / sizeof(ew_vec4);
+    return is_bent ? EW_BENT_UNITS : EW_STRAIGHT_UNITS;
 }
 
 static size_t most_piece_units(const void *source)
 {
     const ew_path *path = source;
-    return (path->kind == EW_PATH_POLYLINE ? sizeof(struct ew_straight_block) : sizeof(struct ew_bent_block)) / sizeof(ew_vec4);
+    return path->kind == EW_PATH_POLYLINE ? EW_STRAIGHT_UNITS : EW_BENT_UNITS;
 }
 
 static ew_hull hull(const void *piece)
@@ -147,7 +147,7 @@ static ew_result pack_pieces(const ew_source_name *name, const ew_ray_space *spa
     const ew_path_piece *piece = pieces;
     struct ew_path_block *packed = block;
     if (range->piece_units == 0) return pack_beam(piece, name, space, packed, error);
-    bool is_bent = range->piece_units == sizeof(struct ew_bent_block) / sizeof(ew_vec4);
+    bool is_bent = range->piece_units == EW_BENT_UNITS;
     double center[3];
     ew_ray_space_place(space, range->ball.center, center);
     packed->ball = ew_pack(center, range->ball.radius / space->length);
@@ -169,6 +169,7 @@ static const char *const bend_files[] = {ew_glsl_arc_glsl,         ew_glsl_passa
 static const char *const sampled_bend_files[] = {ew_glsl_polynomial_curve_glsl, ew_glsl_curve_distance_glsl, NULL};
 
 static const ew_chain_kind chain = {.most_piece_units = most_piece_units,
+                                    .list_file = ew_glsl_path_list_glsl,
                                     .bend_files = bend_files,
                                     .sampled_bend_files = sampled_bend_files,
                                     .piece_size = sizeof(ew_path_piece),

@@ -331,7 +331,7 @@ ew_list ew_list_of(const ew_lit_source *lit)
 {
     const int list = lit->kind->list;
     if (!lit->pieces || lit->pieces->piece_units == 0) return (ew_list)list;
-    return (ew_list)(lit->pieces->piece_units == EW_MAX_PIECE_UNITS ? list + 2 : list + 1);
+    return (ew_list)(lit->pieces->piece_units == EW_BENT_UNITS ? list + 2 : list + 1);
 }
 
 ew_mix ew_sources_mix(const ew_sources *sources)

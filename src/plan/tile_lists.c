@@ -74,16 +74,16 @@ static bool reserve_words(ew_tile_lists *lists, size_t count, const ew_allocator
     return words;
 }
 
-static bool reserve_last_sources(ew_tile_lists *lists, size_t count, const ew_allocator *allocator)
+static bool reserve_last_pairs(ew_tile_lists *lists, size_t count, const ew_allocator *allocator)
 {
-    void *last = grow(lists->last_sources, &lists->last_source_capacity, 0, count, sizeof *lists->last_sources, allocator);
-    if (last) lists->last_sources = last;
+    void *last = grow(lists->last_pairs, &lists->last_pair_capacity, 0, count, sizeof *lists->last_pairs, allocator);
+    if (last) lists->last_pairs = last;
     return last;
 }
 
 void ew_destroy_tile_lists(ew_tile_lists *lists, const ew_allocator *allocator)
 {
-    void *const memory[] = {lists->words, lists->pairs, lists->last_sources};
+    void *const memory[] = {lists->words, lists->pairs, lists->last_pairs};
     for (size_t i = 0; i < sizeof memory / sizeof memory[0]; ++i)
         if (memory[i]) allocator->deallocate(allocator->user, memory[i]);
     *lists = (ew_tile_lists){0};
@@ -106,6 +106,9 @@ typedef struct search {
     ew_lit_source source;
     uint32_t number; /* of the source, from 1 on */
     ew_list list;
+    bool has_pieces;
+    uint8_t piece; /* that looks for its tiles, in steps */
+    size_t list_entries;
     tile_box lit; /* by all sources */
     bool is_full; /* there are too many entries */
     bool lacks_memory;
@@ -121,18 +124,24 @@ static bool is_done(const search *s)
     return s->is_full || s->lacks_memory;
 }
 
-/* Adds a tile, once a source: several pieces of a chain may find it. */
+/* Adds a tile, once a source: several pieces of a chain may find it, in order. */
 static void add(search *s, const int tile[2])
 {
     ew_tile_lists *lists = s->lists;
     const int tile_row = (tile[1] * lists->columns + tile[0]) * lists->list_rows[EW_LIST_COUNT];
     const uint32_t row = (uint32_t)(tile_row + lists->list_rows[s->list]);
-    if (lists->last_sources[row] == s->number) return;
-    lists->last_sources[row] = s->number;
-    s->is_full = row_count(lists) + 1 + lists->pair_count >= lists->room.most;
+    struct ew_tile_pair *last = lists->last_pairs[row] > 0 ? &lists->pairs[lists->last_pairs[row] - 1] : NULL;
+    if (last && last->place == s->source.index) {
+        last->last_piece = s->piece;
+        return;
+    }
+    s->list_entries += s->has_pieces ? 2 : 1;
+    s->is_full = row_count(lists) + 1 + s->list_entries > lists->room.most;
     s->lacks_memory = s->lacks_memory || !reserve_pairs(lists, lists->pair_count + 1, s->allocator);
     if (is_done(s)) return;
-    lists->pairs[lists->pair_count++] = (struct ew_tile_pair){row, (uint32_t)s->source.index};
+    lists->pairs[lists->pair_count++] =
+        (struct ew_tile_pair){row, (uint32_t)s->source.index, s->has_pieces, s->piece, s->piece};
+    lists->last_pairs[row] = (uint32_t)lists->pair_count;
     for (int axis = 0; axis < 2; ++axis) {
         s->lit.first[axis] = tile[axis] < s->lit.first[axis] ? tile[axis] : s->lit.first[axis];
         s->lit.end[axis] = tile[axis] >= s->lit.end[axis] ? tile[axis] + 1 : s->lit.end[axis];
@@ -193,14 +202,19 @@ static void add_hull(search *s, const ew_hull *hull)
     if (box.first[0] < box.end[0] && box.first[1] < box.end[1]) add_box(s, &seen, &box);
 }
 
+/* Without a reach, it lights every tile. */
 static void add_source(search *s)
 {
-    const size_t hulls = s->source.reach > 0 ? ew_count_hulls(&s->source) : 0;
+    const size_t hulls = ew_count_hulls(&s->source), step = (hulls + 255) / 256;
+    const tile_box everywhere = {{0, 0}, {s->lists->columns, s->lists->rows}};
     for (size_t i = 0; i < hulls && !is_done(s); ++i) {
         const ew_hull hull = ew_hull_of_source(&s->source, i);
-        add_hull(s, &hull);
+        s->piece = (uint8_t)(i / step);
+        if (s->source.reach > 0)
+            add_hull(s, &hull);
+        else
+            add_all(s, &everywhere);
     }
-    if (s->source.reach == 0) add_all(s, &(tile_box){{0, 0}, {s->lists->columns, s->lists->rows}});
 }
 
 /* Finds all pairs, unless the search is done before. */
@@ -208,13 +222,14 @@ static void find_pairs(search *s, const ew_sources *sources, double light_reach)
 {
     ew_tile_lists *lists = s->lists;
     lists->pair_count = 0;
-    s->lacks_memory = !reserve_last_sources(lists, row_count(lists) + 1, s->allocator);
+    s->lacks_memory = !reserve_last_pairs(lists, row_count(lists) + 1, s->allocator);
     if (s->lacks_memory) return;
-    memset(lists->last_sources, 0, row_count(lists) * sizeof *lists->last_sources);
+    memset(lists->last_pairs, 0, row_count(lists) * sizeof *lists->last_pairs);
     s->lit = (tile_box){{lists->columns, lists->rows}, {0, 0}};
     while (s->number < sources->lit_count && !is_done(s)) {
         s->source = ew_lit_source_at(sources, s->number++, light_reach);
         s->list = ew_list_of(&s->source);
+        s->has_pieces = ew_list_has_pieces(s->list);
         add_source(s);
     }
 }
@@ -245,20 +260,20 @@ static size_t words_of(size_t entries, bool is_texture)
     return (words + unit - 1) / unit * unit;
 }
 
-/* Sorts the pairs by row. Within a row they stay in order. Where each row's next pair goes stands in last_sources, which is
+/* Sorts the pairs by row. Within a row they stay in order. Where each row's next pair goes stands in last_pairs, which is
  * done with. */
-static bool fill_entries(ew_tile_lists *lists, const ew_allocator *allocator)
+static bool fill_entries(ew_tile_lists *lists, size_t list_entries, const ew_allocator *allocator)
 {
     const size_t rows = row_count(lists);
-    uint32_t *next = lists->last_sources, at = (uint32_t)rows + 1;
-    const size_t count = rows + 1 + lists->pair_count, words = words_of(count, lists->room.is_texture);
+    uint32_t *next = lists->last_pairs, at = (uint32_t)rows + 1;
+    const size_t count = rows + 1 + list_entries, words = words_of(count, lists->room.is_texture);
     if (!reserve_words(lists, words, allocator)) return false;
     lists->entry_count = count;
     lists->word_count = words;
     memset(lists->words, 0, words * sizeof *lists->words);
     memset(next, 0, rows * sizeof *next);
     for (size_t i = 0; i < lists->pair_count; ++i)
-        next[lists->pairs[i].row]++;
+        next[lists->pairs[i].row] += lists->pairs[i].has_pieces ? 2 : 1;
     for (size_t row = 0; row < rows; ++row) {
         uint32_t length = next[row];
         set_entry(lists, row, at);
@@ -266,8 +281,11 @@ static bool fill_entries(ew_tile_lists *lists, const ew_allocator *allocator)
         at += length;
     }
     set_entry(lists, rows, at);
-    for (size_t i = 0; i < lists->pair_count; ++i)
-        set_entry(lists, next[lists->pairs[i].row]++, lists->pairs[i].place);
+    for (size_t i = 0; i < lists->pair_count; ++i) {
+        const struct ew_tile_pair *pair = &lists->pairs[i];
+        set_entry(lists, next[pair->row]++, pair->place);
+        if (pair->has_pieces) set_entry(lists, next[pair->row]++, pair->first_piece | (uint32_t)pair->last_piece << 8);
+    }
     return true;
 }
 
@@ -342,7 +360,7 @@ ew_result ew_make_tile_lists(ew_tile_lists *lists, const ew_sources *sources, do
         search s = {
             .lists = lists, .allocator = allocator, .rays = ew_make_ray_field(&wide, depths), .view = &wide, .depths = depths};
         find_pairs(&s, sources, light_reach);
-        if (!is_done(&s)) s.lacks_memory = !fill_entries(lists, allocator);
+        if (!is_done(&s)) s.lacks_memory = !fill_entries(lists, s.list_entries, allocator);
         if (s.lacks_memory)
             return ew_fail(error, EW_ERROR_OUT_OF_MEMORY, "no memory for the lists of %zu sources", sources->lit_count);
         if (s.is_full) continue;

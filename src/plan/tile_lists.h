@@ -4,8 +4,9 @@
  *
  * The entries are what the shader reads (glsl/light/list.glsl). First comes a table, tile after tile, with a row for each
  * ew_list that any source of the frame goes into: where the list of the tile's sources begins. It ends where the next row's
- * begins; the table has one row more. Then come the lists: the sources' places in their kinds. For a uniform block, entries are
- * 16 bits wide, two in a word; for a texture, each is a float.
+ * begins; the table has one row more. Then come the lists: the sources' places in their kinds. Behind the place of a source
+ * with pieces stands which of these light the tile: the first one, and 256 times the last, in steps of as many pieces as let
+ * both be less than 256. For a uniform block, entries are 16 bits wide, two in a word; for a texture, each is a float.
  */
 #ifndef EW_TILE_LISTS_H
 #define EW_TILE_LISTS_H
@@ -14,6 +15,7 @@
 #include "model/rays.h"
 #include "model/sources.h"
 
+#include <stdbool.h>
 #include <stdint.h>
 
 /* Where lists go: how many entries they may have there, and whether these are floats. */
@@ -26,9 +28,11 @@ typedef struct ew_list_room {
 ew_list_room ew_list_room_of_block(size_t units);
 ew_list_room ew_list_room_of_texture(void);
 
-/* A row of the table, and a source of its list. */
+/* A row of the table, and a source of its list; of one with pieces, in those steps, which of them light the tile. */
 struct ew_tile_pair {
     uint32_t row, place;
+    bool has_pieces;
+    uint8_t first_piece, last_piece;
 };
 
 /* Starts as {0}, and keeps its memory from frame to frame. */
@@ -42,11 +46,11 @@ typedef struct ew_tile_lists {
     ew_viewport lit;                  /* the part of the viewport around all tiles that are lit; at least a pixel */
     int first_x, first_y;             /* pixel where the first tile begins */
 
-    /* While the lists are made: what was found, and for each row, which source was the last. */
+    /* While the lists are made: what was found, and for each row, which pair was the last, from 1 on. */
     struct ew_tile_pair *pairs;
     size_t pair_count, pair_capacity;
-    uint32_t *last_sources;
-    size_t last_source_capacity;
+    uint32_t *last_pairs;
+    size_t last_pair_capacity;
 } ew_tile_lists;
 
 /* Makes the lists for the sources as they are seen between two depths. Tiles are made wider until there are at most `most`

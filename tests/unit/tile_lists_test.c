@@ -51,9 +51,27 @@ static bool is_listed(const ew_plan *plan, size_t row, ew_list list, size_t plac
 {
     const ew_tile_lists *lists = plan->lists;
     const int *rows = plan->uniforms.list_rows;
-    for (size_t i = entry(lists, row + (size_t)rows[list]); i < entry(lists, row + (size_t)rows[list + 1]); ++i)
+    const size_t step = ew_list_has_pieces(list) ? 2 : 1;
+    for (size_t i = entry(lists, row + (size_t)rows[list]); i < entry(lists, row + (size_t)rows[list + 1]); i += step)
         if (entry(lists, i) == place) return true;
     return false;
+}
+
+/* The pieces, of the only source, that the lists of a tile have; none is a last one below the first. */
+typedef struct listed_pieces {
+    size_t first, last;
+} listed_pieces;
+
+static listed_pieces pieces_in(const ew_plan *plan, size_t row, const ew_lit_source *source)
+{
+    const ew_tile_lists *lists = plan->lists;
+    const int *rows = plan->uniforms.list_rows;
+    const ew_list list = ew_list_of(source);
+    const size_t count = source->pieces->piece_count, step = (count + 255) / 256;
+    const size_t at = entry(lists, row + (size_t)rows[list]);
+    if (at == entry(lists, row + (size_t)rows[list + 1])) return (listed_pieces){1, 0};
+    const size_t range = entry(lists, at + 1), last = ((range >> 8) + 1) * step - 1;
+    return (listed_pieces){(range & 255) * step, last < count ? last : count - 1};
 }
 
 /* How many tiles list some source. */
@@ -188,6 +206,41 @@ static void paths_of_each_form_have_lists_of_their_own(void **state)
     release(&sources, &lists);
 }
 
+/* A spring of many pieces along the viewport, of which a tile sees a few. */
+static void a_tile_lists_the_pieces_that_light_it_and_few_others(void **state)
+{
+    (void)state;
+    enum { POINTS = 501 };
+    static double points[POINTS][3];
+    for (int i = 0; i < POINTS; ++i) {
+        points[i][0] = 9.0 * i / (POINTS - 1) - 4.5;
+        points[i][1] = 0.2 * sin(0.7 * i);
+        points[i][2] = -5 + 0.2 * cos(0.7 * i);
+    }
+    const ew_path spring = {
+        .points = (const double(*)[3])points, .point_count = POINTS, .coefficient = 1, .core = 1e-3, .reach = 0.1};
+    const ew_sources_desc desc = {.paths = &spring, .path_count = 1, .epsilon = 1};
+    const ew_frame_desc frame = lit_scene_plain_frame();
+    ew_sources sources = {0};
+    ew_tile_lists lists = {0};
+    const ew_plan plan = plan_of(&desc, &frame, block, &sources, &lists);
+    assert_int_equal(sources.lit[0].pieces->piece_count, POINTS - 1);
+    size_t listed = 0, tiles = 0;
+    for (int i = 0; i + 1 < POINTS; ++i) {
+        const double middle[3] = {0.5 * (points[i][0] + points[i + 1][0]), 0.5 * (points[i][1] + points[i + 1][1]),
+                                  0.5 * (points[i][2] + points[i + 1][2])};
+        double seen[3];
+        assert_true(lit_scene_project(&frame, middle, seen));
+        const size_t row = first_row(&plan, (0.5 * seen[0] + 0.5) * SIZE, (0.5 * seen[1] + 0.5) * SIZE);
+        const listed_pieces pieces = pieces_in(&plan, row, &sources.lit[0]);
+        assert_in_range(i, pieces.first, pieces.last);
+        listed += pieces.last - pieces.first + 1;
+        tiles++;
+    }
+    assert_true(listed < 60 * tiles);
+    release(&sources, &lists);
+}
+
 /* Down to a tile for all, and then none. */
 static void tiles_are_wider_where_there_is_less_room(void **state)
 {
@@ -312,6 +365,7 @@ int main(void)
         cmocka_unit_test(light_behind_the_eye_is_in_no_list),
         cmocka_unit_test(lists_keep_the_order_of_the_sources),
         cmocka_unit_test(paths_of_each_form_have_lists_of_their_own),
+        cmocka_unit_test(a_tile_lists_the_pieces_that_light_it_and_few_others),
         cmocka_unit_test(tiles_are_wider_where_there_is_less_room),
         cmocka_unit_test(a_texture_gets_the_lists_of_a_block),
         cmocka_unit_test(a_viewport_beyond_all_limits_has_no_lists),

@@ -1,0 +1,25 @@
+// The paths of a tile's lists. Behind the place of a path with pieces stands which of them light the tile: see src/plan/tile_lists.h.
+
+#ifdef EW_BEAMS
+#define EW_HAS_RANGE(i) (i >= ew_list_entry(ew_tile_row + ew_list_row(EW_LIST_OF_POLYLINES)))
+#else
+#define EW_HAS_RANGE(i) true
+#endif
+#define EW_PATH_STEP(i) (EW_HAS_RANGE(i) ? 2 : 1)
+
+// The path at place i of the lists, with no pieces but those. The ends at which others join it are out of reach.
+ew_path_block ew_listed_path(const int i)
+{
+    ew_path_block path = ew_path(ew_list_entry(i));
+    if (EW_HAS_RANGE(i)) {
+        int range = ew_list_entry(i + 1);
+        int count = int(path.pieces.y);
+        int step = (count + 255) >> 8;
+        int first = step * (range & 255);
+        int end = min(step * ((range >> 8) + 1), count);
+        path.pieces.x += float(first * (EW_HAS_BENDS(path) ? EW_BENT_UNITS : EW_STRAIGHT_UNITS));
+        path.pieces.y = float(end - first);
+        path.pieces.w = end - first < count ? 0.0 : path.pieces.w;
+    }
+    return path;
+}
