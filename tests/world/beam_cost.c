@@ -3,7 +3,7 @@
  * and 24 bent pieces, beside as many curves. Of each frame it prints the least processor time of rounds in which both take
  * turns, and their ratio, which on llvmpipe with LP_NUM_THREADS=0 repeats within 2 %, even on a machine that is busy.
  *
- *     beam_cost CONTEXT [LARGEST_RATIO]    fails if a ratio of beams to lines is larger, or one of paths to curves than 1.2
+ *     beam_cost CONTEXT [LARGEST_RATIO]    fails if a ratio of beams to lines is larger, or one of paths to curves than 1.05
  *     contexts are those of context.h */
 #define _POSIX_C_SOURCE 200112L
 #include "canvas.h"
@@ -167,6 +167,6 @@ int main(int argc, char **argv)
     ew_destroy_effect(effect);
     canvas_destroy(&target);
     close_context(context);
-    bool is_held = argc <= 2 || (smooth <= 1.2 && of_beams <= strtod(argv[2], NULL));
+    bool is_held = argc <= 2 || (smooth <= 1.05 && of_beams <= strtod(argv[2], NULL));
     return is_held ? EXIT_SUCCESS : EXIT_FAILURE;
 }
