@@ -648,9 +648,10 @@ typedef struct ew_mix {
  * few that do, and reports whether it is ready. Call it again, every frame or so, until it is.
  *
  * One shader for all kinds would take long to compile. So where curves or bent paths come together with other kinds, and in
- * fog, what is straight, tori, curves and bent paths have a shader each, which many mixes share. Their light is summed up
- * before it is composited, in a texture of 16 bytes for each pixel of the largest viewport, allocated when one is larger than
- * any before. There is one shader for all where the context cannot blend in float textures (OpenGL ES without
+ * fog and with shadows, what is straight (points, lines, beams), polylines, bent paths, tori and curves have a shader each,
+ * which many mixes share; and so they do on software rasterisers at adaptive resolution, which then draw each only where it
+ * shines. Their light is summed up before it is composited, in a texture of 16 bytes for each pixel of the largest viewport,
+ * allocated when one is larger than any before. There is one shader for all where the context cannot blend in float textures (OpenGL ES without
  * EXT_float_blend), for EW_DEPTH_TEXTURE_MULTISAMPLE, EW_INTEGRATOR_SIMPSON and EW_OUTPUT_EVALUATIONS.
  *
  * A shader depends on the mix, on the frame's integrator, output, depth and dither, and on whether it has an interval,
