@@ -11,7 +11,10 @@ void main()
 #if defined(EW_LISTS) && !defined(EW_PATCHES)
     ew_tile_row = ew_find_tile_row(place - ew_grid.viewport.xy);
 #endif
-#ifdef EW_DEPTH
+#ifdef EW_DEPTH_MULTISAMPLE
+    ew_shaded_samples shaded = ew_samples_to_shade(place); // one surface
+    segment.end = ew_end_of_ray(ew_parameter_of_depth(pixel, ew_depth_to_shade(shaded, place, shaded.first)));
+#elif defined(EW_DEPTH)
     segment.end = ew_end_of_ray(ew_parameter_of_depth(pixel, ew_window_depth(place)));
 #endif
     ew_of_part = ew_integrate_all(segment);

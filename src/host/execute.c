@@ -273,7 +273,9 @@ static ew_result find_programs_of(ew_device *device, const plan_task *task, prep
                                    error);
     if (result != EW_OK || (has_parts && !is_seen)) return result;
     const ew_key key = has_parts ? ew_permutation_summed(prepared->key) : prepared->key;
-    return find_next_program(device, task, pass, key, &drawing->programs.names[pass], progress, error);
+    result = find_next_program(device, task, pass, key, &drawing->programs.names[pass], progress, error);
+    if (result != EW_OK || !has_parts || !(prepared->key & EW_PERMUTATION_DEPTH_MULTISAMPLE)) return result;
+    return find_next_program(device, task, pass, prepared->key, &drawing->torn, progress, error);
 }
 
 /* Finds the programs of all passes of a plan. */
@@ -349,16 +351,19 @@ static bool are_parts_ready(const ew_device *device, const prepared_plan *prepar
 static void divide(const ew_device *device, const plan_task *task, prepared_plan *prepared)
 {
     const ew_pass pass = prepared->on_grid ? EW_PASS_CELLS : prepared->drawing.plan->pass;
+    const bool is_software = ew_gl_dialect(&device->gl).software;
     int part_count = 0;
-    if (pass == EW_PASS_MEDIA || !device->gl.float_sums || device->light_sum.is_refused ||
-        !ew_permutation_can_be_split(prepared->key))
+    /* Of samples, only where they see one surface. */
+    const ew_key key =
+        prepared->on_grid && is_software ? prepared->key & ~(ew_key)EW_PERMUTATION_DEPTH_MULTISAMPLE : prepared->key;
+    if (pass == EW_PASS_MEDIA || !device->gl.float_sums || device->light_sum.is_refused || !ew_permutation_can_be_split(key))
         return;
     for (int part = 0; part < EW_PART_COUNT; ++part)
         if (ew_permutation_has_part(prepared->key, (ew_part)part))
             prepared->part_keys[part_count++] = ew_permutation_of_part(prepared->key, (ew_part)part);
     if (part_count == 0) prepared->part_keys[part_count++] = ew_permutation_of_part(prepared->key, EW_PART_STRAIGHT);
     const ew_key whole = ew_permutation_of_pass(pass, prepared->key);
-    const bool skips_cells = prepared->on_grid && ew_gl_dialect(&device->gl).software && part_count > 1;
+    const bool skips_cells = prepared->on_grid && is_software && part_count > 1;
     if (ew_permutation_is_split(prepared->key) || skips_cells ||
         (!task->steps_left && !ew_program_is_ready(&device->programs[pass], whole) &&
          are_parts_ready(device, prepared, pass, part_count)))

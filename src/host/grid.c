@@ -210,36 +210,59 @@ static void draw_patches(const ew_drawing *drawing, int x, int y, extent patches
     drawing->gl->DrawArrays(GL_POINTS, drawing->is_ahead ? count : 0, drawing->is_ahead ? 1 : count);
 }
 
-/* Of torn cells, only the quarters that are torn can have pixels that see more than one surface. */
-static void draw_torn(void *user, GLint surface_rank)
+static void set_flag(const ew_gl *gl, GLuint program, const char *name, bool value)
 {
-    const ew_drawing *drawing = user;
-    const ew_viewport *lit = &drawing->plan->lit;
-    const GLuint program = drawing->programs.names[EW_PASS_CELLS];
-    const extent quarters = divide_up((extent){lit->width, lit->height}, EW_CELL_SIZE / 2);
-    int stride = surface_rank > 0 ? 0 : 1;
-    set_stride(drawing->gl, program, stride);
-    draw_patches(drawing, lit->x, lit->y, stride > 0 ? extents_of(lit).cells : quarters, stride);
+    gl->Uniform1i(gl->GetUniformLocation(program, name), value);
 }
 
-/* Draws the light of a part. Single samples have no torn cells. */
-static void draw_cells_of_part(void *user, int part)
+static void draw_rough_cells(const ew_drawing *drawing, GLuint program, int x, int y)
+{
+    set_stride(drawing->gl, program, 1);
+    set_flag(drawing->gl, program, "ew_draws_torn", false);
+    draw_patches(drawing, x, y, extents_of(&drawing->plan->lit).cells, 1);
+}
+
+/* Draws the light of a part. */
+static void draw_rough_cells_of_part(void *user, int part)
 {
     const ew_drawing *drawing = user;
-    const ew_gl *gl = drawing->gl;
     const GLuint program = drawing->parts[part].names[EW_PASS_CELLS];
     if (!ew_draws_with(drawing, program)) return;
-    gl->UseProgram(program);
-    set_stride(gl, program, 1);
-    gl->Uniform1i(gl->GetUniformLocation(program, "ew_draws_torn"), 0);
-    draw_patches(drawing, 0, 0, extents_of(&drawing->plan->lit).cells, 1);
+    use_with_samples(drawing, program, drawing->depth->samples);
+    draw_rough_cells(drawing, program, 0, 0);
 }
 
 bool ew_grid_sum(ew_light_sum *sum, const ew_drawing *drawing)
 {
     const extent cells = extents_of(&drawing->plan->lit).cells;
     return ew_light_sum_fill(sum, drawing->gl, cells.columns * EW_CELL_SIZE, cells.rows * EW_CELL_SIZE, drawing->part_count,
-                             draw_cells_of_part, (void *)drawing);
+                             draw_rough_cells_of_part, (void *)drawing);
+}
+
+/* What draws the torn cells. */
+static GLuint program_of_torn(const ew_drawing *drawing)
+{
+    return drawing->torn ? drawing->torn : drawing->programs.names[EW_PASS_CELLS];
+}
+
+/* Of torn cells, only the quarters that are torn can have pixels that see more than one surface. */
+static void draw_surfaces(void *user, GLint surface_rank)
+{
+    const ew_drawing *drawing = user;
+    const ew_viewport *lit = &drawing->plan->lit;
+    const extent quarters = divide_up((extent){lit->width, lit->height}, EW_CELL_SIZE / 2);
+    const int stride = surface_rank > 0 ? 0 : 1;
+    set_stride(drawing->gl, program_of_torn(drawing), stride);
+    draw_patches(drawing, lit->x, lit->y, stride > 0 ? extents_of(lit).cells : quarters, stride);
+}
+
+static void draw_torn_cells(const ew_drawing *drawing)
+{
+    const GLuint program = program_of_torn(drawing);
+    if (!ew_draws_with(drawing, program)) return;
+    drawing->gl->UseProgram(program);
+    set_flag(drawing->gl, program, "ew_draws_torn", true);
+    ew_draw_samples(drawing->gl, program, drawing->depth->samples, draw_surfaces, (void *)drawing);
 }
 
 static void draw_smooth_patches(const ew_grid *grid, const ew_drawing *drawing, GLuint program)
@@ -255,23 +278,14 @@ static void draw_smooth_patches(const ew_grid *grid, const ew_drawing *drawing, 
     draw_patches(drawing, lit->x, lit->y, extents.cells, 1);
 }
 
-static void draw_other_cells(const ew_drawing *drawing, GLuint program)
-{
-    const ew_gl *gl = drawing->gl;
-    const ew_viewport *lit = &drawing->plan->lit;
-    const GLint draws_torn = gl->GetUniformLocation(program, "ew_draws_torn");
-    use_with_samples(drawing, program, drawing->depth->samples);
-    set_stride(gl, program, 1);
-    gl->Uniform1i(draws_torn, 0);
-    draw_patches(drawing, lit->x, lit->y, extents_of(lit).cells, 1);
-    if (drawing->depth->samples == 0) return;
-    gl->Uniform1i(draws_torn, 1);
-    ew_draw_samples(gl, program, drawing->depth->samples, draw_torn, (void *)drawing);
-}
-
 void ew_grid_draw(const ew_grid *grid, const ew_drawing *drawing)
 {
     const GLuint interpolation = drawing->programs.names[EW_PASS_INTERPOLATION], cells = drawing->programs.names[EW_PASS_CELLS];
+    const ew_viewport *lit = &drawing->plan->lit;
     if (ew_draws_with(drawing, interpolation)) draw_smooth_patches(grid, drawing, interpolation);
-    if (ew_draws_with(drawing, cells)) draw_other_cells(drawing, cells);
+    if (ew_draws_with(drawing, cells)) {
+        use_with_samples(drawing, cells, drawing->depth->samples);
+        draw_rough_cells(drawing, cells, lit->x, lit->y);
+    }
+    if (drawing->depth->samples > 0) draw_torn_cells(drawing);
 }

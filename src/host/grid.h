@@ -34,6 +34,7 @@ typedef struct ew_drawing {
     ew_pass_programs programs;
     ew_pass_programs parts[EW_PART_COUNT];
     int part_count; /* 0: all sources are drawn at once */
+    GLuint torn;    /* draws all sources in torn cells where they are drawn in parts elsewhere; 0: there are no torn cells */
     bool is_ahead;  /* outside of the view: see ew_execute_ahead */
     GLuint only;    /* of all programs; 0: each is drawn with */
 } ew_drawing;
@@ -53,7 +54,7 @@ void ew_grid_destroy(ew_grid *grid, const ew_gl *gl);
  * context. */
 bool ew_grid_fill(ew_grid *grid, const ew_drawing *drawing);
 
-/* Sums up the light of the cells' pixels of a filled grid, whose sources are drawn in parts. As ew_light_sum_fill. */
+/* Sums up the light of the rough cells' pixels of a filled grid, whose sources are drawn in parts. As ew_light_sum_fill. */
 bool ew_grid_sum(ew_light_sum *sum, const ew_drawing *drawing);
 
 /* Draws the filled grid's patches to the target, which must be set. */

@@ -12,9 +12,8 @@ typedef struct ew_light_sum {
     bool is_refused; /* the driver cannot draw to it, or it would be too large */
 } ew_light_sum;
 
-/* Sums up what `draw` draws of each part, over so many columns and rows, and binds the texture. `draw` must draw the same
- * pixels of each part. Changes the draw framebuffer and blending. Returns false if GL cannot: then no sum can be made in this
- * context. */
+/* Sums up what `draw` draws of each part, over so many columns and rows, and binds the texture. Changes the draw
+ * framebuffer and blending. Returns false if GL cannot: then no sum can be made in this context. */
 bool ew_light_sum_fill(ew_light_sum *sum, const ew_gl *gl, int width, int height, int part_count,
                        void (*draw)(void *user, int part), void *user);
 

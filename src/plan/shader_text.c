@@ -410,7 +410,8 @@ static void add_depth_of_samples(ew_shader_text *text, const ew_dialect *dialect
 {
     add_depth(text, key);
     if (!(key & EW_PERMUTATION_DEPTH_MULTISAMPLE)) return;
-    if (dialect->sample_mask) add(text, "#define EW_SAMPLE_MASK\n");
+    /* A part is drawn to a texture without samples, where all those of a pixel see one surface. */
+    if (dialect->sample_mask && !(key & EW_PERMUTATION_PART)) add(text, "#define EW_SAMPLE_MASK\n");
     add_file(text, ew_glsl_samples_glsl);
 }
 

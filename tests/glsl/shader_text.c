@@ -123,10 +123,12 @@ static void write_permutation(const shader_profile *profile, ew_key key)
 /* The parts into which sources are divided, and what becomes of their sum. */
 static void write_parts(const shader_profile *profile, ew_key key)
 {
-    static const ew_pass passes[] = {EW_PASS_WAVE, EW_PASS_NODES, EW_PASS_CELLS};
-    if (!ew_permutation_can_be_split(key)) return;
+    static const ew_pass passes[] = {EW_PASS_NODES, EW_PASS_CELLS, EW_PASS_WAVE};
+    const bool has_samples = key & EW_PERMUTATION_DEPTH_MULTISAMPLE;
+    const size_t pass_count = has_samples ? 2 : 3;
+    if (!ew_permutation_can_be_split(key & ~(ew_key)EW_PERMUTATION_DEPTH_MULTISAMPLE)) return;
     for (int part = 0; part < EW_PART_COUNT; ++part)
-        for (size_t i = 0; ew_permutation_has_part(key, (ew_part)part) && i < sizeof passes / sizeof passes[0]; ++i)
+        for (size_t i = 0; ew_permutation_has_part(key, (ew_part)part) && i < pass_count; ++i)
             write_pass(profile, passes[i], ew_permutation_of_part(key, (ew_part)part));
     write_pass(profile, EW_PASS_WAVE, ew_permutation_summed(key));
     write_pass(profile, EW_PASS_CELLS, ew_permutation_summed(key));
