@@ -7,19 +7,19 @@
 #endif
 #define EW_PATH_STEP(i) (EW_HAS_RANGE(i) ? 2 : 1)
 
-// The path at place i of the lists, with no pieces but those. The ends at which others join it are out of reach.
+// The path at place i of the lists, with no pieces but those. The ends at which others join it are out of reach. It is made anew, since
+// SwiftShader loses changes to a structure that is read in a loop.
 ew_path_block ew_listed_path(const int i)
 {
     ew_path_block path = ew_path(ew_list_entry(i));
-    if (EW_HAS_RANGE(i)) {
-        int range = ew_list_entry(i + 1);
-        int count = int(path.pieces.y);
-        int step = (count + 255) >> 8;
-        int first = step * (range & 255);
-        int end = min(step * ((range >> 8) + 1), count);
-        path.pieces.x += float(first * (EW_HAS_BENDS(path) ? EW_BENT_UNITS : EW_STRAIGHT_UNITS));
-        path.pieces.y = float(end - first);
-        path.pieces.w = end - first < count ? 0.0 : path.pieces.w;
-    }
-    return path;
+    bool has_range = EW_HAS_RANGE(i);
+    int range = ew_list_entry(has_range ? i + 1 : i);
+    int count = int(path.pieces.y);
+    int step = (count + 255) >> 8;
+    int first = step * (range & 255);
+    int end = min(step * ((range >> 8) + 1), count);
+    int units = EW_HAS_BENDS(path) ? EW_BENT_UNITS : EW_STRAIGHT_UNITS;
+    float is_closed = end - first < count ? 0.0 : path.pieces.w;
+    vec4 listed = vec4(path.pieces.x + float(first * units), float(end - first), path.pieces.z, is_closed);
+    return ew_path_block(path.ball, path.beam, mix(path.pieces, listed, bvec4(has_range)), path.weights, path.color, path.glow);
 }
