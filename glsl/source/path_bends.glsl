@@ -64,6 +64,10 @@ float ew_integrate_bends(const ew_segment segment, const ew_path_block path, con
     // The next piece is looked for before the loop ends, so that a software rasteriser does not go through it for nothing.
     do {
         if (i < count) {
+#ifndef EW_SOFTWARE
+            // SwiftShader loses what a loop finds that some pixels have left.
+            part = ew_chord_of_piece(segment, path, i, chord);
+#endif
             vec4 domain = ew_bent_unit(path, i, 4);
             ew_curve_block curve = ew_bent_piece(path, i);
             ew_arc arc = ew_make_arc(segment, curve);

@@ -268,6 +268,39 @@ const tests = {
             expect(Math.max(...counted) <= most && left <= mostLeft * lit.length, `${name}: ${Math.max(...counted)}/255 off, ${left} silhouettes`);
         }
     },
+    'fog is made, thins out with height, and is cleared': async () => {
+        await startFrom('empty');
+        await page.click('#add-orb');
+        await page.keyboard.press('Escape');
+        const enter = async (id, value) => {
+            await page.fill(`#${id}-number`, value);
+            await page.keyboard.press('Tab');
+        };
+        const picture = async () => {
+            await rests();
+            return pagePng();
+        };
+        const changed = async (before, after) => (await differences(before, after)).filter((difference) => difference > 10).length;
+        const clear = await picture();
+        await enter('fog-height', '3');
+        expect(!(await savedScene()).fog, 'no fog thins out');
+        await enter('fog', '0.2');
+        expect((await savedScene()).fog.extinction === 0.2, `the fog is ${JSON.stringify((await savedScene()).fog)}`);
+        const even = await picture();
+        expect((await changed(clear, even)) > 100, 'fog leaves the picture as it is');
+        await enter('fog-height', '1.5');
+        const fog = (await savedScene()).fog;
+        expect(fog.extinction === 0.2 && fog.height.scale === 1.5, `the fog is ${JSON.stringify(fog)}`);
+        const thinner = await picture();
+        expect((await changed(even, thinner)) > 100, 'it does not thin out');
+        writeFileSync(`${folder}/fog.json`, await saved());
+        const counted = (await differences(thinner, renderNatively(`${folder}/fog.json`))).filter((difference) => difference > most).length;
+        expect(counted <= mostLeft * pngSize[0] * pngSize[1], `${counted} pixels of the PNG are another picture`);
+        await look('fog');
+        await enter('fog', '0');
+        expect(!(await savedScene()).fog, 'the fog was not cleared');
+        expect((await changed(clear, await picture())) === 0, 'without fog the picture is not as before');
+    },
     'a medium is added, dragged, made denser and another shape, clicked on, removed and brought back': async () => {
         await startFrom('empty');
         await page.click('#add-medium');

@@ -2,6 +2,18 @@
 import { checkbox, color, select, slider } from './controls.mjs';
 import { withScene } from './scene.mjs';
 
+function setFog(scene, extinction) {
+    if (extinction > 0) scene.fog = { ...scene.fog, extinction };
+    else delete scene.fog;
+}
+
+// Where there is no fog, nothing can thin out.
+function setFogHeight(scene, scale) {
+    if (!scene.fog) return;
+    if (scale > 0) scene.fog.height = { ...scene.fog.height, scale };
+    else delete scene.fog.height;
+}
+
 export function lookControls(app) {
     const { history } = app;
     const scene = () => history.current.scene;
@@ -13,6 +25,10 @@ export function lookControls(app) {
         slider({ id: 'exposure', label: 'Exposure', unit: '×', min: 0.05, max: 10, log: true, get: () => scene().exposure ?? 1, set: set('exposure') }),
         slider({ id: 'core-pixels', label: 'Least core', unit: 'pixels', min: 0, max: 8, get: () => scene().core_pixels ?? (scene().interval ? 0 : 1.5),
             set: (value, isFinal) => change((changed) => (changed.core_pixels = Math.min(Math.max(value, 0), 64)), isFinal) }),
+        slider({ id: 'fog', label: 'Fog', unit: 'per unit', min: 0, max: 1, get: () => scene().fog?.extinction ?? 0,
+            set: (value, isFinal) => change((changed) => setFog(changed, Math.min(Math.max(value, 0), 1e12)), isFinal) }),
+        slider({ id: 'fog-height', label: 'It thins out over', unit: 'units up, 0: never', min: 0, max: 20, get: () => scene().fog?.height?.scale ?? 0,
+            set: (value, isFinal) => change((changed) => setFogHeight(changed, value), isFinal) }),
         color({ id: 'background', label: 'Background', get: () => scene().background ?? [0, 0, 0], set: set('background') }),
         ...(scene().camera.projection === 'orthographic' ? [] : [
             slider({ id: 'fov', label: 'Field of view', unit: 'degrees', min: 5, max: 120, get: () => scene().camera.fov_y_degrees ?? 45,
