@@ -56,12 +56,12 @@ float ew_others(const vec4 sum, const vec4 color)
 #define EW_CHORD(source) mix(whole, EW_LIT(source), bvec2(ew_has_reach(source.glow)))
 #ifdef EW_SOFTWARE
 // It is kept from within the loop, where a software rasteriser gathers it component by component.
-#define EW_TRY(block, read, step) source = read(i); chord = EW_CHORD(source); hit = hit || chord.x < chord.y; i += hit ? 0 : step(i);
+#define EW_TRY(block, read, step) source = read(i); chord = EW_CHORD(source); hit = hit || chord.x < chord.y; i += int(!hit) * step(i);
 #define EW_FIND(block, read, step) block source; bool hit = false; do { EW_TRY(block, read, step) } while (!hit && i < end);
 #define EW_HIT(block, read, step) EW_ADD_SOURCE(source); i += step(i);
 #else
 // The source is read anew: SwiftShader loses one that is kept from within the loop.
-#define EW_TRY(block, read, step) block tried = read(i); chord = EW_CHORD(tried); hit = hit || chord.x < chord.y; i += hit ? 0 : step(i);
+#define EW_TRY(block, read, step) block tried = read(i); chord = EW_CHORD(tried); hit = hit || chord.x < chord.y; i += int(!hit) * step(i);
 #define EW_FIND(block, read, step) bool hit = false; do { EW_TRY(block, read, step) } while (!hit && i < end);
 #define EW_HIT(block, read, step) block source = read(i); chord = EW_CHORD(source); EW_ADD_SOURCE(source); i += step(i);
 #endif

@@ -272,6 +272,7 @@ const tests = {
         await startFrom('empty');
         await page.click('#add-orb');
         await page.keyboard.press('Escape');
+        await page.click('#look-section summary');
         const enter = async (id, value) => {
             await page.fill(`#${id}-number`, value);
             await page.keyboard.press('Tab');
