@@ -31,7 +31,7 @@ struct ew_frame_block {
 struct ew_grid_block {
     ivec4 viewport; // what of the frame's the sources can light: xy: its first pixel, zw: its size in pixels
     vec4 tolerance; // x: how much an interpolated pixel may be off, relative to its light or to y times the picture's largest;
-                    // z: the unit of the texture of sources at which the lists begin
+                    // z: the unit of the texture of sources at which the lists begin; w: how many entries a path takes in them
     ivec4 tiles;    // x: columns of tiles, y: log2 of a tile's width in pixels, zw: where the first one begins, from xy of `viewport`
 };
 

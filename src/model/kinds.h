@@ -80,10 +80,10 @@ typedef enum ew_list {
     EW_LIST_CURVES,
 } ew_list;
 
-/* Whether the sources of a list have pieces, of which a tile is lit by some. */
-static inline bool ew_list_has_pieces(ew_list list)
+/* Whether the sources of a list are of a kind that may have pieces. */
+static inline bool ew_is_list_of_paths(ew_list list)
 {
-    return list == EW_LIST_POLYLINES || list == EW_LIST_BENDS;
+    return list >= EW_LIST_BEAMS && list <= EW_LIST_BENDS;
 }
 _Static_assert(EW_LIST_CURVES + 1 == EW_LIST_COUNT, "GLSL counts other lists");
 

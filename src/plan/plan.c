@@ -270,6 +270,7 @@ ew_result ew_plan_lists(ew_plan *plan, ew_tile_lists *lists, const ew_sources *s
     plan->lists = lists;
     if (plan->target.blend != EW_BLEND_REPLACE) set_lit(plan, &lists->lit);
     memcpy(plan->uniforms.list_rows, lists->list_rows, sizeof lists->list_rows);
+    plan->uniforms.grid.tolerance.w = (float)lists->path_entries;
     plan->uniforms.grid.tolerance.z = (float)ew_first_list_row(plan) * EW_TEXTURE_WIDTH;
     plan->uniforms.grid.tiles =
         (ew_ivec4){lists->columns, lists->size_log2, lists->first_x - plan->lit.x, lists->first_y - plan->lit.y};

@@ -96,7 +96,6 @@ static void add_defines(ew_shader_text *text, const ew_dialect *dialect, ew_key 
     for (int i = 0; i < EW_PERMUTATION_FLAG_COUNT; ++i)
         if (key & (ew_key)1 << i) add_made(text, "#define EW_%s\n", flags[i]);
     if (key & (EW_PERMUTATION_POLYLINES | EW_PERMUTATION_BENDS)) add(text, "#define EW_PIECES\n");
-    if (key & EW_PERMUTATION_LISTS) add_made(text, "#define EW_LIST_OF_POLYLINES %d\n", EW_LIST_POLYLINES);
 }
 
 /* The published method is a baseline, and reads its sources from the uniform block as it was published. */
@@ -174,14 +173,10 @@ static void add_reader(ew_shader_text *text, int index, ew_key key)
     add_made(text, "%s);\n}\n", key & EW_PERMUTATION_REACH ? "" : ", ew_plain_glow()");
 }
 
-/* Whether lists say which pieces of the kind's sources light a tile. */
-static bool has_piece_ranges(ew_key key, int kind)
+/* Whether lists may say which pieces of the kind's sources light a tile. */
+static bool may_have_ranges(ew_key key, int kind)
 {
-    const ew_list_range lists = ew_permutation_lists_of(key, kind);
-    bool has_pieces = false;
-    for (int list = lists.first; list < lists.last; ++list)
-        has_pieces = has_pieces || ew_list_has_pieces((ew_list)list);
-    return key & EW_PERMUTATION_LISTS && has_pieces;
+    return key & EW_PERMUTATION_LISTS && ew_kinds[kind]->chain;
 }
 
 static void add_readers(ew_shader_text *text, ew_key key)
@@ -192,7 +187,7 @@ static void add_readers(ew_shader_text *text, ew_key key)
     add_start(text, EW_KIND_COUNT, key);
     add_made(text, ")\n");
     for (int kind = 0; kind < EW_KIND_COUNT; ++kind)
-        if (ew_permutation_count(key, kind) > 0 && !has_piece_ranges(key, kind))
+        if (ew_permutation_count(key, kind) > 0 && !may_have_ranges(key, kind))
             add_made(text, "#define ew_listed_%s(i) ew_%s(EW_PLACE(i))\n#define EW_%s_STEP(i) 1\n", ew_kinds[kind]->name,
                      ew_kinds[kind]->name, ew_kinds[kind]->upper_name);
     add_made(text, "#define EW_ADD_KINDS");
@@ -273,8 +268,7 @@ static void add_sources(ew_shader_text *text, ew_key key, bool has_grid)
     if (key & EW_PERMUTATION_LISTS) add_file(text, ew_glsl_list_glsl);
     add_file(text, ew_glsl_each_glsl);
     for (int kind = 0; kind < EW_KIND_COUNT; ++kind)
-        if (ew_permutation_count(key, kind) > 0 && has_piece_ranges(key, kind))
-            add_file(text, ew_kinds[kind]->chain->list_file);
+        if (ew_permutation_count(key, kind) > 0 && may_have_ranges(key, kind)) add_file(text, ew_kinds[kind]->chain->list_file);
 }
 
 /* The light along a segment of a ray. */

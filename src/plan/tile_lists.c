@@ -106,7 +106,7 @@ typedef struct search {
     ew_lit_source source;
     uint32_t number; /* of the source, from 1 on */
     ew_list list;
-    bool has_pieces;
+    bool has_range;
     uint8_t piece; /* that looks for its tiles, in steps */
     size_t list_entries;
     tile_box lit; /* by all sources */
@@ -135,12 +135,11 @@ static void add(search *s, const int tile[2])
         last->last_piece = s->piece;
         return;
     }
-    s->list_entries += s->has_pieces ? 2 : 1;
+    s->list_entries += s->has_range ? 2 : 1;
     s->is_full = row_count(lists) + 1 + s->list_entries > lists->room.most;
     s->lacks_memory = s->lacks_memory || !reserve_pairs(lists, lists->pair_count + 1, s->allocator);
     if (is_done(s)) return;
-    lists->pairs[lists->pair_count++] =
-        (struct ew_tile_pair){row, (uint32_t)s->source.index, s->has_pieces, s->piece, s->piece};
+    lists->pairs[lists->pair_count++] = (struct ew_tile_pair){row, (uint32_t)s->source.index, s->has_range, s->piece, s->piece};
     lists->last_pairs[row] = (uint32_t)lists->pair_count;
     for (int axis = 0; axis < 2; ++axis) {
         s->lit.first[axis] = tile[axis] < s->lit.first[axis] ? tile[axis] : s->lit.first[axis];
@@ -229,17 +228,18 @@ static void find_pairs(search *s, const ew_sources *sources, double light_reach)
     while (s->number < sources->lit_count && !is_done(s)) {
         s->source = ew_lit_source_at(sources, s->number++, light_reach);
         s->list = ew_list_of(&s->source);
-        s->has_pieces = ew_list_has_pieces(s->list);
+        s->has_range = lists->path_entries == 2 && ew_is_list_of_paths(s->list);
         add_source(s);
     }
 }
 
 /* A list that no source goes into has no row: the next one's stands for its beginning and its end. */
-static void count_rows(ew_tile_lists *lists, const ew_sources *sources)
+static void lay_out_table(ew_tile_lists *lists, const ew_sources *sources)
 {
     lists->list_rows[0] = 0;
     for (int list = 0; list < EW_LIST_COUNT; ++list)
         lists->list_rows[list + 1] = lists->list_rows[list] + sources->has_list[list];
+    lists->path_entries = sources->has_list[EW_LIST_POLYLINES] || sources->has_list[EW_LIST_BENDS] ? 2 : 1;
 }
 
 /* ---- Entries ---- */
@@ -273,7 +273,7 @@ static bool fill_entries(ew_tile_lists *lists, size_t list_entries, const ew_all
     memset(lists->words, 0, words * sizeof *lists->words);
     memset(next, 0, rows * sizeof *next);
     for (size_t i = 0; i < lists->pair_count; ++i)
-        next[lists->pairs[i].row] += lists->pairs[i].has_pieces ? 2 : 1;
+        next[lists->pairs[i].row] += lists->pairs[i].has_range ? 2 : 1;
     for (size_t row = 0; row < rows; ++row) {
         uint32_t length = next[row];
         set_entry(lists, row, at);
@@ -284,7 +284,7 @@ static bool fill_entries(ew_tile_lists *lists, size_t list_entries, const ew_all
     for (size_t i = 0; i < lists->pair_count; ++i) {
         const struct ew_tile_pair *pair = &lists->pairs[i];
         set_entry(lists, next[pair->row]++, pair->place);
-        if (pair->has_pieces) set_entry(lists, next[pair->row]++, pair->first_piece | (uint32_t)pair->last_piece << 8);
+        if (pair->has_range) set_entry(lists, next[pair->row]++, pair->first_piece | (uint32_t)pair->last_piece << 8);
     }
     return true;
 }
@@ -348,7 +348,7 @@ ew_result ew_make_tile_lists(ew_tile_lists *lists, const ew_sources *sources, do
     lists->entry_count = 0;
     lists->room = room;
     if (!is_countable(viewport)) return EW_OK;
-    count_rows(lists, sources);
+    lay_out_table(lists, sources);
     for (int size_log2 = first_size_log2; size_log2 <= ONE_TILE_LOG2; ++size_log2) {
         lists->size_log2 = size_log2;
         lists->columns = tiles_over(viewport->width, size_log2);

@@ -4,9 +4,10 @@
  *
  * The entries are what the shader reads (glsl/light/list.glsl). First comes a table, tile after tile, with a row for each
  * ew_list that any source of the frame goes into: where the list of the tile's sources begins. It ends where the next row's
- * begins; the table has one row more. Then come the lists: the sources' places in their kinds. Behind the place of a source
- * with pieces stands which of these light the tile: the first one, and 256 times the last, in steps of as many pieces as let
- * both be less than 256. For a uniform block, entries are 16 bits wide, two in a word; for a texture, each is a float.
+ * begins; the table has one row more. Then come the lists: the sources' places in their kinds. If any path
+ * of the frame has pieces, behind the place of every path stands which of its pieces light the tile: the first one, and 256
+ * times the last, in steps of as many pieces as let both be less than 256. For a uniform block, entries are 16 bits wide, two
+ * in a word; for a texture, each is a float.
  */
 #ifndef EW_TILE_LISTS_H
 #define EW_TILE_LISTS_H
@@ -28,10 +29,10 @@ typedef struct ew_list_room {
 ew_list_room ew_list_room_of_block(size_t units);
 ew_list_room ew_list_room_of_texture(void);
 
-/* A row of the table, and a source of its list; of one with pieces, in those steps, which of them light the tile. */
+/* A row of the table, and a source of its list; of one with a second entry, in those steps, which pieces light the tile. */
 struct ew_tile_pair {
     uint32_t row, place;
-    bool has_pieces;
+    bool has_range;
     uint8_t first_piece, last_piece;
 };
 
@@ -42,6 +43,7 @@ typedef struct ew_tile_lists {
     ew_list_room room;
     int columns, rows;
     int size_log2;                    /* of a tile's width in pixels */
+    int path_entries;                 /* how many entries a path takes in a list */
     int list_rows[EW_LIST_COUNT + 1]; /* of a tile: where each list's row is, and last, how many rows there are */
     ew_viewport lit;                  /* the part of the viewport around all tiles that are lit; at least a pixel */
     int first_x, first_y;             /* pixel where the first tile begins */

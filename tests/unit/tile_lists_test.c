@@ -51,7 +51,7 @@ static bool is_listed(const ew_plan *plan, size_t row, ew_list list, size_t plac
 {
     const ew_tile_lists *lists = plan->lists;
     const int *rows = plan->uniforms.list_rows;
-    const size_t step = ew_list_has_pieces(list) ? 2 : 1;
+    const size_t step = ew_is_list_of_paths(list) ? (size_t)lists->path_entries : 1;
     for (size_t i = entry(lists, row + (size_t)rows[list]); i < entry(lists, row + (size_t)rows[list + 1]); i += step)
         if (entry(lists, i) == place) return true;
     return false;
