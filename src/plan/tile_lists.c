@@ -104,7 +104,7 @@ typedef struct search {
     const ew_view *view;
     const ew_interval *depths;
     ew_lit_source source;
-    uint32_t number; /* of the source, from 1 on */
+    size_t number; /* of sources that have looked */
     ew_list list;
     bool has_range;
     uint8_t piece; /* that looks for its tiles, in steps */
