@@ -135,12 +135,14 @@ static void write_parts(const shader_profile *profile, ew_key key)
     write_pass(profile, EW_PASS_SURFACES, ew_permutation_summed(0));
 }
 
-/* Whether a set of kinds is written with paths of these forms: of all at once, beams and the most general path will do. */
+/* Whether a set of kinds is written with paths of these forms: alone, with each form and with all; beside other kinds, with
+ * beams and with all. */
 static bool has_forms(unsigned kinds, ew_key forms)
 {
+    const bool is_alone = kind_count(kinds) == 1;
     if (!takes_forms(kinds)) return forms == 0;
-    if (kind_count(kinds) > 1) return forms == EW_PERMUTATION_BEAMS || forms == EW_PERMUTATION_FORMS;
-    return forms != 0;
+    if (is_alone && (forms == EW_PERMUTATION_POLYLINES || forms == EW_PERMUTATION_BENDS)) return true;
+    return forms == EW_PERMUTATION_BEAMS || forms == EW_PERMUTATION_FORMS;
 }
 
 /* Every integral that the kinds can have. */
