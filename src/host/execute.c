@@ -346,8 +346,8 @@ static bool are_parts_ready(const ew_device *device, const prepared_plan *prepar
 }
 
 /* Divides a plan into parts, if one shader would be long; or on a grid, if the rasteriser computes both sides of every `if`,
- * since a part is drawn only in the cells that it lights; or if the plan has no shader yet, but those of the parts are ready: a
- * host may have prepared a mix of which these sources are a few. */
+ * since a part is drawn only in the cells that its lists may light; or if the plan has no shader yet, but those of the parts
+ * are ready: a host may have prepared a mix of which these sources are a few. */
 static void divide(const ew_device *device, const plan_task *task, prepared_plan *prepared)
 {
     const ew_pass pass = prepared->on_grid ? EW_PASS_CELLS : prepared->drawing.plan->pass;
@@ -363,7 +363,7 @@ static void divide(const ew_device *device, const plan_task *task, prepared_plan
             prepared->part_keys[part_count++] = ew_permutation_of_part(prepared->key, (ew_part)part);
     if (part_count == 0) prepared->part_keys[part_count++] = ew_permutation_of_part(prepared->key, EW_PART_STRAIGHT);
     const ew_key whole = ew_permutation_of_pass(pass, prepared->key);
-    const bool skips_cells = prepared->on_grid && is_software && part_count > 1;
+    const bool skips_cells = prepared->on_grid && is_software && part_count > 1 && prepared->key & EW_PERMUTATION_LISTS;
     if (ew_permutation_is_split(prepared->key) || skips_cells ||
         (!task->steps_left && !ew_program_is_ready(&device->programs[pass], whole) &&
          are_parts_ready(device, prepared, pass, part_count)))
