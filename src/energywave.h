@@ -652,7 +652,7 @@ typedef struct ew_mix {
  * which many mixes share; and so they do on software rasterisers at adaptive resolution, which then draw each only where it
  * shines. Their light is summed up before it is composited, in a texture of 16 bytes for each pixel of the largest viewport,
  * allocated when one is larger than any before. There is one shader for all where the context cannot blend in float textures
- * (OpenGL ES without EXT_float_blend), for EW_DEPTH_TEXTURE_MULTISAMPLE, EW_INTEGRATOR_SIMPSON and EW_OUTPUT_EVALUATIONS.
+ * (OpenGL ES without EXT_float_blend), for EW_DEPTH_TEXTURE_MULTISAMPLE and EW_INTEGRATOR_SIMPSON.
  *
  * A shader depends on the mix, on the frame's integrator, output, depth and dither, and on whether it has an interval,
  * core_pixels, fog, even or by height, and media. The driver may also finish it only for the context and the framebuffer format

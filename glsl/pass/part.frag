@@ -1,5 +1,6 @@
-// The light of a part of the sources at a pixel: sum B_i color_i, and B as the fourth component. That of all parts is summed up in a
-// texture, which begins at the viewport's corner: one shader for all sources would take long to compile.
+// The light of a part of the sources at a pixel: sum B_i color_i, and B as the fourth component; or with EW_EVALUATIONS, how many evaluations
+// it took. That of all parts is summed up in a texture, which begins at the viewport's corner: one shader for all sources would take long to
+// compile.
 
 out vec4 ew_of_part;
 
@@ -18,4 +19,7 @@ void main()
     segment.end = ew_end_of_ray(ew_parameter_of_depth(pixel, ew_window_depth(place)));
 #endif
     ew_of_part = ew_integrate_all(segment);
+#ifdef EW_EVALUATIONS
+    ew_of_part = vec4(float(ew_evaluation_count), 0.0, 0.0, 0.0);
+#endif
 }

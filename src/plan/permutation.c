@@ -189,13 +189,13 @@ ew_key ew_permutation_of_part(ew_key key, ew_part part)
 
 ew_key ew_permutation_summed(ew_key key)
 {
-    return (key & EW_PERMUTATION_OF_TARGET) | EW_PERMUTATION_SUMMED;
+    return (key & (EW_PERMUTATION_OF_TARGET | EW_PERMUTATION_EVALUATIONS)) | EW_PERMUTATION_SUMMED;
 }
 
 bool ew_permutation_can_be_split(ew_key key)
 {
     /* Of the samples of a pixel, what they do to the target is averaged, not their light. */
-    return !(key & (EW_PERMUTATION_SIMPSON | EW_PERMUTATION_EVALUATIONS | EW_PERMUTATION_DEPTH_MULTISAMPLE));
+    return !(key & (EW_PERMUTATION_SIMPSON | EW_PERMUTATION_DEPTH_MULTISAMPLE));
 }
 
 bool ew_permutation_is_split(ew_key key)

@@ -222,7 +222,9 @@ static void what_is_long_is_split_where_light_can_be_summed_up(void **state)
     assert_true(ew_permutation_is_split(all));
     assert_false(ew_permutation_is_split(ew_permutation_with_depth(all, EW_DEPTH_KIND_MULTISAMPLE)));
     frame.output = EW_OUTPUT_EVALUATIONS;
-    assert_false(ew_permutation_is_split(ew_permutation_of(&all_kinds, &frame)));
+    const ew_key counts = ew_permutation_of(&all_kinds, &frame);
+    assert_true(ew_permutation_is_split(counts));
+    assert_true(ew_permutation_summed(counts) & EW_PERMUTATION_EVALUATIONS);
     frame = defaults;
     frame.integrator = EW_INTEGRATOR_SIMPSON;
     assert_false(ew_permutation_is_split(ew_permutation_of(&all_kinds, &frame)));
