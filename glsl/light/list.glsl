@@ -23,7 +23,7 @@ int ew_list_entry(const int i)
 // the frame have none, and end where they begin.
 int ew_list_row(const int list)
 {
-#ifdef EW_VERTEX_STAGE
+#ifdef EW_VERTEX_STAGE // what it hands on it cannot read
     return ew_uniform_list_rows[list >> 2][list & 3];
 #else
     return ew_list_rows[list >> 2][list & 3];

@@ -79,13 +79,12 @@ typedef enum ew_list {
     EW_LIST_TORI,
     EW_LIST_CURVES,
 } ew_list;
+_Static_assert(EW_LIST_CURVES + 1 == EW_LIST_COUNT, "GLSL counts other lists");
 
-/* Whether the sources of a list are of a kind that may have pieces. */
 static inline bool ew_is_list_of_paths(ew_list list)
 {
     return list >= EW_LIST_BEAMS && list <= EW_LIST_BENDS;
 }
-_Static_assert(EW_LIST_CURVES + 1 == EW_LIST_COUNT, "GLSL counts other lists");
 
 _Static_assert(EW_STRAIGHT_UNITS == sizeof(struct ew_straight_block) / sizeof(ew_vec4), "a straight piece takes other units");
 _Static_assert(EW_BENT_UNITS == sizeof(struct ew_bent_block) / sizeof(ew_vec4), "a bent piece takes other units");

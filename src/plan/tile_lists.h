@@ -4,10 +4,10 @@
  *
  * The entries are what the shader reads (glsl/light/list.glsl). First comes a table, tile after tile, with a row for each
  * ew_list that any source of the frame goes into: where the list of the tile's sources begins. It ends where the next row's
- * begins; the table has one row more. Then come the lists: the sources' places in their kinds. If any path
- * of the frame has pieces, behind the place of every path stands which of its pieces light the tile: the first one, and 256
- * times the last, in steps of as many pieces as let both be less than 256. For a uniform block, entries are 16 bits wide, two
- * in a word; for a texture, each is a float.
+ * begins; the table has one row more. Then come the lists: the sources' places in their kinds. If any path of the frame has
+ * pieces, behind the place of every path stands which of its pieces light the tile: the first one, and 256 times the last, in
+ * steps of as many pieces as let both be less than 256. For a uniform block, entries are 16 bits wide, two in a word; for a
+ * texture, each is a float.
  */
 #ifndef EW_TILE_LISTS_H
 #define EW_TILE_LISTS_H
