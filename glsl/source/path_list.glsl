@@ -4,8 +4,7 @@
 #define EW_PATH_STEP(i) int(ew_grid.tolerance.w)
 
 #ifdef EW_PIECES
-// The path at place i of the lists, with no pieces but those. The ends at which others join it are out of reach. It is made anew, since
-// SwiftShader loses changes to a structure that is read in a loop.
+// The path at place i of the lists, with no pieces but those. The ends at which others join it are out of reach.
 ew_path_block ew_listed_path(const int i)
 {
     ew_path_block path = ew_path(ew_list_entry(i));
