@@ -97,10 +97,13 @@ float ew_distance_minimum(const float cubic, const float quadratic, const float 
     // The start is constant / sqrt(linear^2 + third^2), or arm sqrt(excess / cubic). Both share one reciprocal root, without a
     // branch.
     bool is_only = linear > 0.0;
-    float tau = mix(arm * excess, constant, is_only) *
-                inversesqrt(max(mix(excess * cubic, linear * linear + third * third, is_only), 1e-37));
+    float start = mix(arm * excess, constant, is_only) *
+                  inversesqrt(max(mix(excess * cubic, linear * linear + third * third, is_only), 1e-37));
+    float tau = ew_step_to_minimum(cubic, quadratic, linear, constant, start);
     tau = ew_step_to_minimum(cubic, quadratic, linear, constant, tau);
-    return ew_step_to_minimum(cubic, quadratic, linear, constant, tau);
+    // Beyond where the root on the other arm vanishes, the slope may be 0, and a step lead anywhere.
+    float limit = mix(1e30, 1.25 * abs(start), quadratic == 0.0);
+    return clamp(tau, -limit, limit);
 }
 
 // Both such roots: x is the one on the side of `constant`; y is the other one, or x again if there is none. For quadratic = 0,
