@@ -223,7 +223,7 @@ typedef enum ew_path_kind {
  * weights:     as for curves, over the whole path. Each span between control points has an equal share of the parameter.
  *
  * A path has at most EW_MAX_PATH_PIECES pieces. Of the effect's capacity it takes 5 units, or 6 with a reach or a core of its
- * own; for each piece 2, or 7 if any is bent; and, with n weights, n - 2 more. */
+ * own; for each piece 2, or 7 if any is bent; and, with n weights, n - 2 more, at least one. */
 #define EW_MAX_PATH_PIECES 600
 
 typedef struct ew_path {
@@ -332,8 +332,9 @@ typedef enum ew_integrator {
 /* The error of B that EW_INTEGRATOR_ADAPTIVE aims for, relative to max(B, 1e-3 of the image's largest B). It is estimated, not
  * bounded. With the default, 1E_3, all but a few of the tests' scenes stay within 1e-3 everywhere and within 1e-4 on 99 % of
  * the pixels. Three stay within 1e-2: their rays pass through the middle of cores of a ten-millionth of the interval, or their
- * tori are larger than the interval. Of random scenes of the world integral, one and a half pixels in a thousand of tori are
- * beyond 1e-3, by rounding, and of the others one in a thousand. Points and lines are exact except for rounding. */
+ * tori are larger than the interval. Of random scenes of the world integral without fog and media, one and a half pixels in
+ * a thousand of tori are beyond 1e-3, by rounding, and of the others one in a thousand. Points and lines are exact except for
+ * rounding. */
 typedef enum ew_quality {
     EW_QUALITY_ERROR_1E_2,
     EW_QUALITY_ERROR_1E_3,
@@ -652,7 +653,8 @@ typedef struct ew_mix {
  * which many mixes share; and so they do on software rasterisers at adaptive resolution, which then draw each only where it
  * shines. Their light is summed up before it is composited, in a texture of 16 bytes for each pixel of the largest viewport,
  * allocated when one is larger than any before. There is one shader for all where the context cannot blend in float textures
- * (OpenGL ES without EXT_float_blend), for EW_DEPTH_TEXTURE_MULTISAMPLE and EW_INTEGRATOR_SIMPSON.
+ * (OpenGL ES without EXT_float_blend), for EW_INTEGRATOR_SIMPSON, and for what sees several surfaces in a pixel of a
+ * multisampled depth.
  *
  * A shader depends on the mix, on the frame's integrator, output, depth and dither, and on whether it has an interval,
  * core_pixels, fog, even or by height, and media. The driver may also finish it only for the context and the framebuffer format

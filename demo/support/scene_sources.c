@@ -172,7 +172,7 @@ static void read_curves(json_reader *r, const json_value *root, ew_sources_desc 
     sources->curves = reader_list_member(r, root, "curves", EW_MAX_CURVES, sizeof(ew_curve), read_curve, &sources->curve_count);
 }
 
-/* A path takes 4 units of an effect's EW_MAX_SOURCE_UNITS, and one more for each of its points, of which it has 2 or more. */
+/* Bounds for the reader: a path takes 5 units of an effect's EW_MAX_SOURCE_UNITS or more, and the library counts its pieces. */
 enum { MAX_PATHS = EW_MAX_SOURCE_UNITS / 6, MAX_PATH_POINTS = 4096 };
 
 static void read_path_point(json_reader *r, const json_value *point, void *result)

@@ -1,6 +1,6 @@
 // Tori.
 
-// More panels than any ray takes: they grow by factors, or are an optical depth of fog.
+// More panels than any ray takes: they grow by factors, or are half an optical depth of fog.
 #ifdef EW_FOG
 const int EW_MAX_TORUS_PANELS = 120;
 #else

@@ -16,11 +16,15 @@ table='
 ^glsl/                             .                                      GLSL includes nothing: the library orders its files
 ^src/(base|model|plan)/            ^src/host/|^<(GL|GLES2|GLES3|EGL)/     what packs and plans needs no GL
 ^src/base/                         ^src/(model|plan)/                     the lower layer does not know the upper one
+^src/model/                        ^src/plan/                             the scene does not know how it is drawn
 ^src/model/KIND[.]                 ^src/model/OTHER[.]                    a kind of source stands alone
 ^src/host/program                  ^src/host/state_guard                  what makes programs leaves the saving of state to others
 ^src/                              ^(demo|tests|web)/                     the library does not know its users
 ^demo/                             ^src/.*/|^src/effect                   the demo is a host like any other
 ^demo/                             ^(tests|web)/                          the demo does not need the tests
+^demo/support/                     ^demo/ew_                              what programs share knows none of them
+^demo/ew_render/                   ^demo/ew_demo/                         programs do not know each other
+^demo/ew_demo/                     ^demo/ew_render/                       the same
 ^demo/examples/                    ^demo/(support|ew_)                    an example is a whole program
 ^demo/(.*/)?scene[.][ch]$          scene_file|^<jansson                   a scene is no file
 ^web/                              ^src/.*/|^src/effect                   the page is a host like any other
