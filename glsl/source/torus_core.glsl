@@ -47,6 +47,17 @@ vec2 ew_step_to_torus_edges(const ew_torus_side side, const float epsilon2, cons
     return clamp(vec2(-1.0, 1.0) * from_nearest, room.xx, room.yy);
 }
 
+// About where a ray that is outside of the core at the cut comes into it close behind, if it does before its height has changed much;
+// 1e30 otherwise. Newton's method finds no slope at the cut to start with.
+float ew_torus_edge_at_cut(const ew_torus_side side, const float epsilon2)
+{
+    float inward = sqrt(max(epsilon2 - side.height * side.height, 0.0));
+    float from_axis = side.radius - inward;
+    float growth2 = max(from_axis * from_axis - side.from_axis2, 0.0);
+    float x = growth2 / max(side.outward + sqrt(side.outward * side.outward + side.across2 * growth2), 1e-30);
+    return abs(side.height_slope) * max(x, from_axis) < 0.1 * inward ? x : 1e30;
+}
+
 // Where the ray enters and leaves the core; side.end twice if it does not. An error of an edge counts by its square, because
 // the integrand is continuous there. distance2_at_cut is the squared distance at x = 0.
 vec2 ew_torus_core(const ew_torus_side side, const float distance2_at_cut, const float edge_guess, const float epsilon2)
@@ -58,6 +69,9 @@ vec2 ew_torus_core(const ew_torus_side side, const float distance2_at_cut, const
     is_entered = is_entered || distance2_at_cut < epsilon2;
     vec2 room = vec2(-nearest, side.end - nearest);
     vec2 edges = clamp(vec2(-edge_guess, edge_guess), room.xx, room.yy);
+    float at_cut = ew_torus_edge_at_cut(side, epsilon2);
+    bool is_close = distance2_at_cut > epsilon2 && nearest + edges.x <= 0.1 * nearest && at_cut < 0.5 * nearest;
+    edges.x = is_close ? at_cut - nearest : edges.x;
     // Where no ray of a group enters the core, a software rasteriser is done after the first step.
     int steps = is_entered ? 4 : 1;
     if (EW_IS_NEEDED(is_entered)) {
@@ -66,6 +80,7 @@ vec2 ew_torus_core(const ew_torus_side side, const float distance2_at_cut, const
             edges = ew_step_to_torus_edges(side, epsilon2, nearest, edges, room);
         } while (++i < steps);
     }
+    edges.x = is_close ? min(edges.x, 3.0 * at_cut - nearest) : edges.x;
     return is_entered ? nearest + edges : vec2(side.end);
 }
 #endif
