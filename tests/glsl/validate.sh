@@ -9,10 +9,7 @@ rm -rf shaders && mkdir shaders || exit 1
 "$1" shaders || exit 1
 grep -q '#define EW_SOURCE_VARYINGS' shaders/330-software-*.vert || exit 1
 grep -q '#define EW_SOURCE_VARYINGS' shaders/300es-software-*.frag || exit 1
-# Of files with the same content one will do. What is for software rasterisers alone is written once for both dialects, and GLSL ES is
-# the stricter: of the others, one in four will do.
-find shaders -type f | sort | xargs md5sum | sort -u -k1,1 | sed 's/^[^ ]* *//' | sort |
-    awk '!/\/330-software/ || NR % 4 == 0' > files
+sh "$(dirname "$0")/distinct_files.sh" shaders > files
 # The compiler prints the name of each file that it compiles. Anything else that it prints is a fault.
 echo "$(wc -l < files) shaders"
 xargs glslangValidator < files > log
