@@ -104,6 +104,21 @@ static void cores_are_as_wide_as_pixels(void **state)
     assert_true(luminance_of(&sources, &ray) == 0);
 }
 
+/* Regression: of a ray that is lit for a moment only, before pixels are as wide as the reach, no sample was lit. */
+static void light_is_seen_up_to_where_pixels_are_as_wide_as_the_reach(void **state)
+{
+    (void)state;
+    ew_torus torus = {.axis = {0, 0, 1}, .radius = 1, .coefficient = 1, .core = 0.12, .reach = 0.13};
+    ew_sources_desc sources = {.tori = &torus, .torus_count = 1};
+    const double height = 0.125, begin = 0.1 - sqrt(0.13 * 0.13 - height * height);
+    reference_ray ray = {.start = {-1.1, 0, height}, .end = {-0.1, 0, height}, .s_max = 0.2, .is_world = true};
+    for (double lit = 2e-4; lit < 0.03; lit *= 2) {
+        ray.least_core[1] = sqrt(0.13 * 0.13 - 0.12 * 0.12) / (begin + lit);
+        assert_true(luminance_of(&sources, &ray) > 0);
+        assert_matches_brute_force(&sources, &ray, 1, "torus", (int)(1e4 * lit));
+    }
+}
+
 /* g(x) = x^3 up to 1 and 1 + 3 (x - 1) beyond. */
 static void sharpness_shapes_what_was_integrated(void **state)
 {
@@ -212,10 +227,15 @@ static void eyes_in_the_core_match_brute_force(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(brightness_is_the_luminance_in_the_middle), cmocka_unit_test(orbs_and_beams_match_their_closed_form),
-        cmocka_unit_test(nothing_shines_beyond_the_reach),           cmocka_unit_test(cores_are_as_wide_as_pixels),
-        cmocka_unit_test(sharpness_shapes_what_was_integrated),      cmocka_unit_test(an_endless_light_is_not_vouched_for),
-        cmocka_unit_test(random_sources_match_brute_force),          cmocka_unit_test(eyes_in_the_core_match_brute_force),
+        cmocka_unit_test(brightness_is_the_luminance_in_the_middle),
+        cmocka_unit_test(orbs_and_beams_match_their_closed_form),
+        cmocka_unit_test(nothing_shines_beyond_the_reach),
+        cmocka_unit_test(cores_are_as_wide_as_pixels),
+        cmocka_unit_test(light_is_seen_up_to_where_pixels_are_as_wide_as_the_reach),
+        cmocka_unit_test(sharpness_shapes_what_was_integrated),
+        cmocka_unit_test(an_endless_light_is_not_vouched_for),
+        cmocka_unit_test(random_sources_match_brute_force),
+        cmocka_unit_test(eyes_in_the_core_match_brute_force),
     };
     return cmocka_run_group_tests_name("reference, world", tests, create_workspace, destroy_workspace);
 }

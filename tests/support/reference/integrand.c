@@ -132,8 +132,8 @@ integrand_sample integrand_at(const integrand *f, double x)
     reference_weighting weighting = {.weight = 1, .largest = 1};
     if (kind->weigh) weighting = kind->weigh(&f->source, &nearest);
     double core = core_at(f, x), distance = fmax(core, nearest.distance);
-    bool inside_core = nearest.distance < core, is_dark = distance >= f->reach;
-    double field = is_dark ? 0 : f->coefficient / distance - f->coefficient / f->reach;
+    bool inside_core = nearest.distance < core, is_dark = nearest.distance >= f->reach;
+    double field = distance >= f->reach ? 0 : f->coefficient / distance - f->coefficient / f->reach;
     double unweighted = times_decay(f, field, x);
     double slope = vector_dot(f->direction, nearest.offset);
     double noise = 1e-9 * vector_length(f->direction) * nearest.distance;
