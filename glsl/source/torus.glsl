@@ -56,14 +56,7 @@ float ew_integrate_torus_panels(const ew_torus_side near, const vec2 near_core, 
 }
 
 #ifdef EW_FOG
-// The parts of the ray, by s, that are in two cores of a side each, of which the near one comes first.
-vec4 ew_torus_cores(const ew_torus_side near, const vec2 near_core, const ew_torus_side far, const vec2 far_core)
-{
-    return vec4(ew_s_on_side(near, near_core.y), ew_s_on_side(near, near_core.x), ew_s_on_side(far, far_core.x),
-                ew_s_on_side(far, far_core.y));
-}
-
-// The integral over these, less 1 / R. One loop serves both, because a software rasteriser goes through each at least once.
+// The integral over two parts of the ray, by s, that are in the core, of which the near one comes first; less 1 / R. One loop serves both, because a software rasteriser goes through each at least once.
 float ew_integrate_torus_cores_in_fog(const vec4 cores, const vec4 glow)
 {
     vec3 field = ew_field_in_core(glow, cores.x);
@@ -158,25 +151,34 @@ float ew_integrate(const ew_segment segment, const ew_torus_block torus, const v
     ew_torus_side far = ew_make_torus_side(ray, radius, torus.glow, 1.0, chord.y - ray.center, zeros.plus, zeros.minus);
     ew_torus_side near = ew_make_torus_side(ray, radius, torus.glow, -1.0, ray.center - chord.x, zeros.minus, zeros.plus);
 
-    float distance2_at_cut = ew_square(sqrt(ray.from_axis2) - radius) + ray.height * ray.height;
+    vec2 far_nearest = ew_nearest_to_torus(ray, far);
+    vec2 near_nearest = ew_nearest_to_torus(ray, near);
 #ifdef EW_CORE_PIXELS
     // The core's radius where each side is nearest to the torus: over the core it changes by next to nothing.
-    float far_epsilon = sqrt(ew_core2(torus.glow, ray.center + ew_nearest_to_torus(far)));
-    float near_epsilon = sqrt(ew_core2(torus.glow, ray.center - ew_nearest_to_torus(near)));
+    float far_epsilon = sqrt(ew_core2(torus.glow, ray.center + min(far_nearest.x, far.end)));
+    float near_epsilon = sqrt(ew_core2(torus.glow, ray.center - min(near_nearest.x, near.end)));
 #else
     float far_epsilon = torus.glow.x;
     float near_epsilon = torus.glow.x;
 #endif
+    float distance2_at_cut = ew_square(sqrt(ray.from_axis2) - radius) + ray.height * ray.height;
     float far_guess = ew_guess_torus_edge(ray, zeros, radius, far_epsilon);
     float near_guess = ew_guess_torus_edge(ray, zeros, radius, near_epsilon);
-    vec2 far_core = ew_torus_core(far, distance2_at_cut, far_guess, ew_square(far_epsilon));
-    vec2 near_core = ew_torus_core(near, distance2_at_cut, near_guess, ew_square(near_epsilon));
+    vec2 far_core = ew_torus_core(far, far_nearest, distance2_at_cut, far_guess, ew_square(far_epsilon));
+    vec2 near_core = ew_torus_core(near, near_nearest, distance2_at_cut, near_guess, ew_square(near_epsilon));
+    // The two parts of the ray that are in the core, by x of the far side. Without a gap they meet at the cut.
+    vec4 cores = vec4(-near_core.yx, far_core);
+    bool is_on_both_sides = max(near_core.y, far_core.y) < 1e30;
+    if (is_on_both_sides) cores.yz = ew_torus_gap(ray, far, cores.x, cores.w, distance2_at_cut, ew_square(far_epsilon));
+    cores = clamp(cores, -near.end, far.end);
+    far.begin = max(cores.y, 0.0);
+    near.begin = max(-cores.z, 0.0);
+    float sum = ew_integrate_torus_panels(near, max(-cores.yx, 0.0), far, max(cores.zw, 0.0)) / ray.direction2;
 #ifdef EW_FOG
-    float cores = ew_integrate_torus_cores_in_fog(ew_torus_cores(near, near_core, far, far_core), torus.glow);
+    sum += ew_integrate_torus_cores_in_fog(ray.center + cores, torus.glow);
 #else
-    float cores = ew_integrate_torus_core(far, far_core, far_epsilon) + ew_integrate_torus_core(near, near_core, near_epsilon);
+    sum += ew_integrate_torus_core(far, cores.xy, near_epsilon) + ew_integrate_torus_core(far, cores.zw, far_epsilon);
 #endif
-    float sum = cores + ew_integrate_torus_panels(near, near_core, far, far_core) / ray.direction2;
     return sum;
 }
 #endif

@@ -2,18 +2,6 @@
 // docs/method.md, section 11, has the derivation.
 #ifdef EW_REACH
 
-// Half the derivative of the squared distance at x, and half its second derivative. With q the slope of the distance from the
-// axis, the first is outward + height height_slope - radius q, and the second direction2 - radius dq/dx.
-vec2 ew_torus_slope(const ew_torus_ray ray, const ew_torus_side side, const float x)
-{
-    float outward = side.outward + side.across2 * x;
-    float from_axis2 = max(side.from_axis2 + x * (side.outward + outward), 1e-30);
-    float from_axis = sqrt(from_axis2);
-    float height = side.height + side.height_slope * x;
-    return vec2(outward + height * side.height_slope - side.radius * outward / from_axis,
-                ray.direction2 - side.radius * ray.moment2 / from_axis2 / from_axis);
-}
-
 // Where the slope has its last zero, beyond which the distance only grows. The slope is a convex function of x. It falls up to
 // the place `flat_at`, and is positive from `steep_at` on, as q is at most sqrt(across2). From any place between, Newton's
 // method comes down to that zero.
@@ -23,7 +11,7 @@ float ew_last_approach_to_torus(const ew_torus_ray ray, const ew_torus_side side
     float steep_at = max(pull / ray.direction2, 0.0);
     float flat_from_axis2 = pow(max(side.radius * ray.moment2 / ray.direction2, 1e-30), 0.66666667);
     float flat_at = (sqrt(max(side.across2 * flat_from_axis2 - ray.moment2, 0.0)) - side.outward) / side.across2;
-    float x = clamp(ew_nearest_to_torus(side), clamp(flat_at, 0.0, steep_at), steep_at);
+    float x = clamp(ew_nearest_to_torus(ray, side).x, clamp(flat_at, 0.0, steep_at), steep_at);
     int step = 0;
     do {
         vec2 slope = ew_torus_slope(ray, side, x);

@@ -89,13 +89,13 @@ ew_torus_zeros ew_find_torus_zeros(const ew_torus_ray ray, const float radius)
 struct ew_torus_side {
     float radius;
     float from_axis2;
-    float outward; // >= 0
+    float outward; // >= 0 if the side has a length
     float across2;
     float height;
     float height_slope;
     float depth;
     float depth_slope; // 1: away from the eye, -1: towards it
-    float begin;       // 0 without a reach
+    float begin;       // without a reach, 0 or the end of a piece of core
     float end;
     float center; // s of the cut
     vec4 glow;
@@ -111,7 +111,7 @@ ew_torus_side ew_make_torus_side(const ew_torus_ray ray, const float radius, con
     ew_torus_side side;
     side.radius = radius;
     side.from_axis2 = ray.from_axis2;
-    side.outward = max(depth_slope * ray.outward, 0.0);
+    side.outward = depth_slope * ray.outward;
     side.across2 = ray.across2;
     side.height = ray.height;
     side.height_slope = depth_slope * ray.height_slope;
