@@ -21,10 +21,12 @@ float ew_guess_torus_edge(const ew_torus_ray ray, const ew_torus_zeros zeros, co
 vec2 ew_torus_slope(const ew_torus_ray ray, const ew_torus_side side, const float x)
 {
     float outward = side.outward + side.across2 * x;
-    float to_axis = inversesqrt(max(side.from_axis2 + x * (side.outward + outward), 1e-30));
-    float pull = side.radius * to_axis;
+    float from_axis2 = max(side.from_axis2 + x * (side.outward + outward), 1e-30);
+    float from_axis = sqrt(from_axis2);
+    float to_axis = 1.0 / from_axis;
     float height = side.height + side.height_slope * x;
-    return vec2(outward * (1.0 - pull) + height * side.height_slope, ray.direction2 - pull * to_axis * to_axis * ray.moment2);
+    return vec2(outward * ((from_axis - side.radius) * to_axis) + height * side.height_slope,
+                ray.direction2 - side.radius * ray.moment2 * (to_axis * to_axis * to_axis));
 }
 
 // About where the ray, continued beyond its ends, is nearest to the torus on a side, and about half the second derivative of the
