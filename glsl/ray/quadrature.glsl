@@ -186,7 +186,18 @@ float ew_integrate_floored_reciprocal(const float b2, const float k, const float
     vec2 inside = clamp(core, y.xx, y.yy);
     return sides + ew_integrate_core(s0 + inside.x, s0 + inside.y, glow);
 }
-#elif defined(EW_CORE_PIXELS)
+#else
+// The integral over s in [from, to] of 1 / (r' (s + beta)^2). Relative error 1e-6.
+float ew_integrate_core(const float from, const float to, const vec4 glow)
+{
+#ifdef EW_CORE_PIXELS
+    return ew_integrate_reciprocal(ew_core_radius2(glow), max(ew_core_growth2(), 1e-30), -ew_view_depth.x / ew_view_depth.y, from, to);
+#else
+    return ew_measure(from, to) / glow.x;
+#endif
+}
+
+#ifdef EW_CORE_PIXELS
 // The same with the decay 1 / (s + beta)^2. Relative error 1e-6.
 float ew_integrate_floored_reciprocal(const float b2, const float k, const float s0, const float from, const float to,
                                       const vec4 glow)
@@ -194,9 +205,7 @@ float ew_integrate_floored_reciprocal(const float b2, const float k, const float
     vec2 core = clamp(s0 + ew_find_core(b2, k, s0, glow), from, to);
     if (core.x == core.y) core = vec2(to);
     float sum = 0.0;
-    if (EW_IS_NEEDED(core.x < core.y))
-        sum += ew_integrate_reciprocal(ew_core_radius2(glow), max(ew_core_growth2(), 1e-30), -ew_view_depth.x / ew_view_depth.y,
-                                       core.x, core.y);
+    if (EW_IS_NEEDED(core.x < core.y)) sum += ew_integrate_core(core.x, core.y, glow);
     if (EW_IS_NEEDED(from < core.x)) sum += ew_integrate_reciprocal(b2, k, s0, from, core.x);
     if (EW_IS_NEEDED(core.y < to)) sum += ew_integrate_reciprocal(b2, k, s0, core.y, to);
     return sum;
@@ -212,16 +221,12 @@ float ew_integrate_floored_reciprocal(const float b2, const float k, const float
     float core_from = clamp(s0 - half_core, from, to);
     float core_to = clamp(s0 + half_core, from, to);
     if (core_from == core_to) core_from = core_to = to;
-#ifdef EW_WORLD
-    float sum = (core_to - core_from) / epsilon;
-#else
-    float beta = ew_beta();
-    float sum = (core_to - core_from) / (epsilon * (core_from + beta) * (core_to + beta));
-#endif
+    float sum = ew_integrate_core(core_from, core_to, glow);
     if (EW_IS_NEEDED(from < core_from)) sum += ew_integrate_reciprocal(b2, k, s0, from, core_from);
     if (core_to < to) sum += ew_integrate_reciprocal(b2, k, s0, core_to, to);
     return sum;
 }
+#endif
 #endif
 
 #ifndef EW_FOG

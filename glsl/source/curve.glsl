@@ -121,7 +121,7 @@ ew_portion ew_clip(const ew_arc arc, const ew_portion portion, const bool is_cor
 }
 #endif
 
-#ifdef EW_WORLD
+#ifdef EW_REACH
 // The passage's squared distance at s0, so that where the arc is outside of its core, in `part`, the passage is, too.
 float ew_least_b2(const ew_arc arc, const ew_passage passage, const vec2 part)
 {
@@ -131,50 +131,38 @@ float ew_least_b2(const ew_arc arc, const ew_passage passage, const vec2 part)
     float nearest_edge = mix(0.0, min(way.x, way.y), is_in_core);
     return max(passage.b2, ew_arc_core2(arc, passage.s0) - passage.k * nearest_edge * nearest_edge);
 }
-
-// The integral over the stretch [from, to], on which arc.arm is nearest: closed form and rest. In the core the closed form is
-// the arc's own. `sum` is the curve's light so far.
-float ew_integrate_stretch(const ew_arc arc, const ew_approaches approaches, const float from, const float to, const float sum,
-                           const float others)
-{
-    ew_passage passage = ew_passage_of_stretch(arc, approaches, from, to);
-    ew_portion portion = ew_clip(arc, ew_make_portion(arc, passage.s0, vec2(from, to)), false);
-    vec2 part = portion.ends;
-    passage.core = ew_clip(arc, portion, true).ends;
-    passage.b2 = ew_least_b2(arc, passage, part);
-#ifdef EW_FOG
-    float reciprocal = ew_integrate_in_fog(passage.b2, passage.k, passage.s0, part, passage.core, vec4(1.0, 0.0, 0.0, 0.0), arc.glow);
-#else
-    float reciprocal = ew_integrate_core(passage.core.x, passage.core.y, arc.glow);
-    reciprocal -= ew_inverse_reach(arc.glow) * (part.y - part.x);
-    reciprocal += ew_integrate_reciprocal(passage.b2, passage.k, passage.s0, part.x, passage.core.x);
-    reciprocal += ew_integrate_reciprocal(passage.b2, passage.k, passage.s0, passage.core.y, part.y);
 #endif
-    float light = sum + max(passage.weight, 0.02 * arc.mean_weight) * max(reciprocal, 0.0);
-    float allowance = ew_tolerance() * (arc.share * light + EW_OTHERS_SHARE * others);
-    float rest = 0.0;
-    if (part.x < part.y) rest = ew_integrate_rest(arc, passage, part.x, part.y, allowance);
-    return passage.weight * reciprocal + rest;
-}
-#else
-// The integral over the stretch [from, to], on which arc.arm is nearest: closed form and rest. `sum` is the curve's light so
-// far.
+
+// The integral over the stretch [from, to], on which arc.arm is nearest: closed form and rest. With a reach, in the core the closed form is
+// the arc's own. `sum` is the curve's light so far.
 float ew_integrate_stretch(const ew_arc arc, const ew_approaches approaches, const float from, const float to, const float sum,
                            const float others)
 {
     ew_passage passage = ew_passage_of_stretch(arc, approaches, from, to);
     vec2 part = vec2(from, to);
 #ifdef EW_REACH
-    if (ew_has_reach(arc.glow)) part = ew_clip(arc, ew_make_portion(arc, passage.s0, part), false).ends;
+    ew_portion portion = ew_make_portion(arc, passage.s0, part);
+    if (ew_has_reach(arc.glow)) portion = ew_clip(arc, portion, false);
+    part = portion.ends;
+    passage.core = ew_clip(arc, portion, true).ends;
+    passage.b2 = ew_least_b2(arc, passage, part);
+#ifdef EW_FOG
+    float reciprocal = ew_integrate_in_fog(passage.b2, passage.k, passage.s0, part, passage.core, vec4(1.0, 0.0, 0.0, 0.0), arc.glow);
+#else
+    float reciprocal = ew_integrate_core(passage.core.x, passage.core.y, arc.glow);
+    reciprocal -= ew_inverse_reach(arc.glow) * ew_measure(part.x, part.y);
+    reciprocal += ew_integrate_reciprocal(passage.b2, passage.k, passage.s0, part.x, passage.core.x);
+    reciprocal += ew_integrate_reciprocal(passage.b2, passage.k, passage.s0, passage.core.y, part.y);
 #endif
+#else
     float reciprocal = ew_integrate_by_rule(passage.b2, passage.k, passage.s0, part, arc.glow);
+#endif
     float light = sum + max(passage.weight, 0.02 * arc.mean_weight) * max(reciprocal, 0.0);
     float allowance = ew_tolerance() * (arc.share * light + EW_OTHERS_SHARE * others);
     float rest = 0.0;
     if (part.x < part.y) rest = ew_integrate_rest(arc, passage, part.x, part.y, allowance);
     return passage.weight * reciprocal + rest;
 }
-#endif
 
 // The parts of `chord` to which the arc's ends are nearest.
 void ew_find_parts(const ew_arc arc, const ew_cell first_cell, const ew_cell last_cell, const vec2 chord, out vec2 first,

@@ -8,7 +8,7 @@ struct ew_passage {
     float k;
     float s0;
     float weight;
-#ifdef EW_WORLD
+#ifdef EW_REACH
     vec2 core; // where the arc's core begins and ends
 #endif
 };
@@ -39,7 +39,7 @@ ew_passage ew_passage_at(const ew_arc arc, const float tau, const bool is_end, c
     // A passage that does not touch gets no core: between the edge of its core and that of the arc's, the rest would be a spike
     // that the quadrature's nodes may miss.
     b2 = mix(max(b2, ew_arc_core2(arc, s0)), b2, is_touching);
-#ifdef EW_WORLD
+#ifdef EW_REACH
     return ew_passage(is_touching, b2, k, s0, ew_arc_weight(arc, tau), vec2(s0));
 #else
     return ew_passage(is_touching, b2, k, s0, ew_arc_weight(arc, tau));

@@ -19,7 +19,7 @@ ew_reciprocals ew_reciprocals_at(const ew_arc arc, const ew_passage passage, con
     float model = passage.b2 + passage.k * ew_square(s - passage.s0);
     float distance_squared = ew_arc_distance_squared(arc, arc.start + s * arc.direction, tau);
     ew_evaluation_count += 1;
-#ifdef EW_WORLD
+#ifdef EW_REACH
     float source = inversesqrt(max(distance_squared, epsilon2));
     bool is_in_core = s > passage.core.x && s < passage.core.y;
     return ew_reciprocals(source, mix(inversesqrt(max(model, 1e-30)), source, is_in_core), tau);
@@ -56,7 +56,7 @@ ew_rest ew_weighted_rest(const ew_arc arc, const ew_passage passage, const vec4 
 }
 #endif
 
-#ifndef EW_WORLD
+#ifndef EW_REACH
 // The factor on the second difference, which sees best the kink at the edge of the core: 1 if the nodes are all in it or all
 // outside.
 float ew_kink_factor(const ew_arc arc, vec4 source, const vec4 s)
@@ -97,7 +97,7 @@ ew_rest ew_rest_at(const ew_arc arc, const ew_passage passage, const vec4 s, con
 #endif
     }
 #endif
-#ifndef EW_WORLD
+#ifndef EW_REACH
     rest.curvature *= ew_kink_factor(arc, source, s);
 #endif
     return rest;

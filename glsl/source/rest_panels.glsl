@@ -50,7 +50,7 @@ struct ew_stretch {
     float x_from; // x of its two ends, x_from >= 0 >= x_to
     float x_to;
     vec2 starts; // x of where its near and its far side begin
-#ifdef EW_WORLD
+#ifdef EW_REACH
     vec2 core; // x of the edges of the arc's core, core.x >= 0 >= core.y
 #endif
     float peak;        // length of the first panel
@@ -59,7 +59,17 @@ struct ew_stretch {
     bool is_wide;      // the peak is wide: the whole stretch is one side
 };
 
-// In the world integral no panel holds an edge of the arc's core: four nodes may not see a kink.
+// x of two places.
+vec2 ew_x_at(const ew_stretch stretch, const vec2 s)
+{
+#ifdef EW_WORLD
+    return stretch.center - s;
+#else
+    return (stretch.center - s) / ((s + ew_beta()) * stretch.depth);
+#endif
+}
+
+// Where sources may have a reach, no panel holds an edge of the arc's core: four nodes may not see a kink.
 //
 // The first panel is at most EW_FIRST_PANEL half widths of the peak long, or it would not see how the arc's peak differs from
 // the passage's. Nor is it much longer than the arc, because a bent arc's passage is of no use there.
@@ -68,29 +78,31 @@ ew_stretch ew_make_stretch(const ew_arc arc, const ew_passage passage, const flo
     float epsilon2 = ew_arc_core2(arc, passage.s0);
     ew_stretch stretch;
     stretch.center = clamp(passage.s0, from, to);
-#ifdef EW_WORLD
+#ifdef EW_REACH
     bool has_core = passage.core.x < passage.core.y;
     stretch.center = mix(stretch.center, clamp(stretch.center, passage.core.x, passage.core.y), has_core);
+#endif
+#ifdef EW_WORLD
     stretch.depth = 1.0;
-    stretch.depth2 = 1.0;
-    stretch.x_from = stretch.center - from;
-    stretch.x_to = stretch.center - to;
+#else
+    stretch.depth = stretch.center + ew_beta();
+#endif
+    stretch.depth2 = stretch.depth * stretch.depth;
+    vec2 ends = ew_x_at(stretch, vec2(from, to));
+    stretch.x_from = ends.x;
+    stretch.x_to = ends.y;
+#ifdef EW_REACH
     // In the core the model is the arc itself, and without weights there is no rest.
-    stretch.core = mix(vec2(0.0), stretch.center - passage.core, bvec2(has_core));
+    stretch.core = mix(vec2(0.0), ew_x_at(stretch, passage.core), bvec2(has_core));
     stretch.starts = mix(stretch.core, vec2(0.0), bvec2(ew_has_weights(arc)));
 #else
     stretch.starts = vec2(0.0);
-    float beta = ew_beta();
-    stretch.depth = stretch.center + beta;
-    stretch.depth2 = stretch.depth * stretch.depth;
-    stretch.x_from = (stretch.center - from) / ((from + beta) * stretch.depth);
-    stretch.x_to = (stretch.center - to) / ((to + beta) * stretch.depth);
 #endif
     float scale = inversesqrt(passage.k) / stretch.depth2;
     float extent = arc.slope_x + abs(arc.slope_y) + 2.0 * arc.bend * max(-arc.first, arc.last);
     stretch.peak = min(EW_FIRST_PANEL * scale * sqrt(max(passage.b2, epsilon2)),
                        4.0 * sqrt((passage.b2 + extent * extent) / ew_length_squared(arc.direction)) / stretch.depth2);
-#ifdef EW_WORLD
+#ifdef EW_REACH
     stretch.first_panel = stretch.peak;
     stretch.is_inside = !has_core && passage.is_touching && passage.s0 > from && passage.s0 < to;
     stretch.is_wide = stretch.peak >= 8.0 * (stretch.x_from - stretch.x_to) && !has_core;
@@ -158,7 +170,7 @@ float ew_width_to_knot(const ew_arc arc, const ew_stretch stretch, const ew_prog
     return clamp(width, min(progress.remaining, 0.0), max(progress.remaining, 0.0));
 }
 
-#ifdef EW_WORLD
+#ifdef EW_REACH
 // The width of a panel that ends at the edge of the core, of a side that begins in it; 0 for one beyond.
 float ew_width_to_edge(const ew_stretch stretch, const ew_progress progress)
 {
@@ -219,7 +231,7 @@ float ew_integrate_rest(ew_arc arc, ew_passage passage, const float from, const 
     arc.equation_start += stretch.center * arc.equation_growth;
     arc.center += stretch.center;
     passage.s0 -= stretch.center;
-#ifdef EW_WORLD
+#ifdef EW_REACH
     passage.core -= stretch.center;
 #endif
     vec3 pieces = ew_pieces_at(arc, vec3(from - stretch.center, 0.0, to - stretch.center));
@@ -236,7 +248,7 @@ float ew_integrate_rest(ew_arc arc, ew_passage passage, const float from, const 
         bool has_knot = ew_has_knot(progress.piece, progress.last_piece) && !is_last_try;
         bool is_at_knot = has_knot && abs(to_knot) <= abs(progress.proposal);
         float width = mix(progress.proposal, to_knot, is_at_knot);
-#ifdef EW_WORLD
+#ifdef EW_REACH
         float to_edge = ew_width_to_edge(stretch, progress);
         bool is_at_edge = to_edge != 0.0 && abs(to_edge) <= abs(width);
         width = mix(width, to_edge, is_at_edge);
