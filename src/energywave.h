@@ -220,7 +220,8 @@ typedef enum ew_path_kind {
  * points:      as many as the kind needs: 2 or more; a closed path and EW_PATH_BSPLINE 3 or more; EW_PATH_BEZIER 3 n + 1. The
  *              array is copied.
  * is_closed:   1: the path goes on from its last point to its first. 0: it does not.
- * weights:     as for curves, over the whole path. Each span between control points has an equal share of the parameter.
+ * weights:     as for curves, over the whole path. Each span between control points has an equal share of the parameter. If the
+ *              first and the last differ, the weight jumps where a path closes.
  *
  * A path has at most EW_MAX_PATH_PIECES pieces. Of the effect's capacity it takes 5 units, or 6 with a reach or a core of its
  * own; for each piece 2, or 7 if any is bent; and, with n weights, n - 2 more, at least one. */

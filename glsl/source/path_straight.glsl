@@ -71,11 +71,18 @@ float ew_integrate_polyline(const ew_segment segment, const ew_path_block path, 
     ew_planes planes = ew_find_planes(slab, chord);
     float end = planes.end;
     bool is_end_ahead = planes.is_along;
+    // The joint that closes a path has its first weight. If the last one differs, the cap beyond the last piece has the difference
+    // in addition; an open path's has all of the last one.
+    float closing_weight = mix(0.0, ew_path_weight(path, 0.0), is_closed);
+    bool has_end = !is_closed;
+#ifdef EW_WEIGHTS
+    has_end = has_end || ew_path_weight(path, 1.0) != closing_weight;
+#endif
     float sum = 0.0;
     int i = 0;
 #if defined(EW_WORLD) && defined(EW_FOG)
-    // The end of an open path counts as a start behind it, so that compilers put the integral into the shader once.
-    int node_count = count + int(!is_closed);
+    // The end counts as a start behind it, so that compilers put the integral into the shader once.
+    int node_count = count + int(has_end);
     do {
         bool is_end = i == count;
         int piece = min(i, count - 1);
@@ -85,7 +92,7 @@ float ew_integrate_polyline(const ew_segment segment, const ew_path_block path, 
         if (i == 0 && !is_closed) node = ew_make_end(planes.start, !planes.is_along, chord);
         if (is_end) node = ew_make_end(end, is_end_ahead, chord);
         vec3 position = mix(slab.start, slab.end, bvec3(is_end));
-        float weight = ew_path_weight(path, mix(slab.t.x, slab.t.y, is_end));
+        float weight = ew_path_weight(path, mix(slab.t.x, slab.t.y, is_end)) - mix(0.0, closing_weight, is_end);
         bool has_line = !is_end;
 #ifdef EW_WEIGHTS
         if (has_line && path.weights.y > 0.0) sum += ew_integrate_line_of_piece(segment, slab, path, planes);
@@ -107,8 +114,8 @@ float ew_integrate_polyline(const ew_segment segment, const ew_path_block path, 
         end = planes.end;
         is_end_ahead = planes.is_along;
     } while (++i < count && i < EW_MAX_PATH_PIECES);
-    if (!is_closed)
-        sum += ew_path_weight(path, slab.t.y) *
+    if (has_end)
+        sum += (ew_path_weight(path, slab.t.y) - closing_weight) *
                ew_integrate_node(segment, slab.end, ew_make_end(end, is_end_ahead, chord), path.glow);
 #endif
     return sum;
