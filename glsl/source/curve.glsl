@@ -133,8 +133,8 @@ float ew_least_b2(const ew_arc arc, const ew_passage passage, const vec2 part)
 }
 #endif
 
-// The integral over the stretch [from, to], on which arc.arm is nearest: closed form and rest. With a reach, in the core the closed form is
-// the arc's own. `sum` is the curve's light so far.
+// The integral over the stretch [from, to], on which arc.arm is nearest: closed form and rest. `sum` is the curve's light so far.
+// Where sources may have a reach, the closed form in the core is the arc's own.
 float ew_integrate_stretch(const ew_arc arc, const ew_approaches approaches, const float from, const float to, const float sum,
                            const float others)
 {

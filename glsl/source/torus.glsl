@@ -56,7 +56,8 @@ float ew_integrate_torus_panels(const ew_torus_side near, const vec2 near_core, 
 }
 
 #ifdef EW_FOG
-// The integral over two parts of the ray, by s, that are in the core, of which the near one comes first; less 1 / R. One loop serves both, because a software rasteriser goes through each at least once.
+// The integral over two parts of the ray, by s, that are in the core, of which the near one comes first; less 1 / R. One loop
+// serves both, because a software rasteriser goes through each at least once.
 float ew_integrate_torus_cores_in_fog(const vec4 cores, const vec4 glow)
 {
     vec3 field = ew_field_in_core(glow, cores.x);
