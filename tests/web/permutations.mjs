@@ -10,7 +10,9 @@ import { hideExtension, open } from './browser.mjs';
 const [program, folder] = process.argv.slice(2);
 const here = dirname(fileURLToPath(import.meta.url));
 // Milliseconds of a processor for a shader, from its text to its first draw: half as much again as is asked for, beside other work.
-const most = 1500, mostMegabytes = 1000;
+// Other work adds to what is measured, and nothing takes from it. So one of some must be within it; a new context compiles
+// all anew.
+const most = 1500, mostMegabytes = 1000, measurements = 3;
 const mostDifference = 1; // of 255
 
 const files = {
@@ -65,15 +67,19 @@ async function drawFrame(i, wantsPixels) {
     const drawn = await timed(page.evaluate(([frame, pixels]) => window.drawFrame(frame, pixels), [i, wantsPixels]));
     const shaders = Array.from({ length: (steps.length - 1) / 3 }, (_, k) =>
         steps.slice(3 * k + 1, 3 * k + 4).reduce((sum, step) => sum + step.milliseconds, 0));
-    return { ...drawn, shaders, total: [...steps, drawn].reduce((sum, step) => sum + step.milliseconds, 0) };
+    return { ...drawn, longest: Math.max(...shaders), shaders, total: [...steps, drawn].reduce((sum, step) => sum + step.milliseconds, 0) };
 }
 
 await page.evaluate(hideExtension, 'KHR_parallel_shader_compile'); // by which a call would take steps of all shaders
 const names = await page.evaluate(() => window.begin());
 let total = 0;
 for (const [i, name] of names.entries()) {
-    const { fault, shaders, milliseconds, total: taken, points, errors } = await drawFrame(i);
-    const longest = Math.max(...shaders);
+    let drawn = await drawFrame(i);
+    for (let k = 1; k < measurements && !drawn.fault && drawn.errors === 0 && drawn.longest > most; ++k) {
+        await page.evaluate(() => window.begin());
+        drawn = await drawFrame(i);
+    }
+    const { fault, longest, shaders, milliseconds, total: taken, points, errors } = drawn;
     total += taken;
     tell(!fault && errors === 0 && longest <= most && milliseconds <= most && (points > 0) === /adaptive/.test(name),
         `${name}: ${shaders.length} shaders, ${Math.round(longest)} ms at most, ${Math.round(taken)} ms in all, ${Math.round(milliseconds)} ms for the frame${fault && `, ${fault}`}${errors ? `, ${errors} errors of GL` : ''}`);
