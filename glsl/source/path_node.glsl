@@ -115,7 +115,8 @@ vec4 ew_moments_of_ways(const ew_point_ray ray, vec2 to, vec2 from, const float 
 
     vec2 light = ew_light_of_ways(ray, to, from, glow);
     vec4 y = vec4(to, from);
-    vec4 outside = sign(y) * max(abs(y), ray.half_core);
+    vec4 side = mix(vec4(1.0), vec4(-1.0), lessThan(y, vec4(0.0)));
+    vec4 outside = side * max(abs(y), ray.half_core);
     vec4 inside = clamp(y, -ray.half_core, ray.half_core);
     vec4 distance = sqrt(ray.b2 + ray.k * outside * outside);
     float d_core = sqrt(max(ray.core2, ray.b2));
@@ -132,7 +133,7 @@ vec4 ew_moments_of_ways(const ew_point_ray ray, vec2 to, vec2 from, const float 
     // Differences of distances, as quotients.
     vec2 first = (outside.xy - outside.zw) * (outside.xy + outside.zw) / max(distance.xy + distance.zw, 1e-30);
     moments.y = first.x + first.y;
-    moments.z = (ew_over_ways(outside * distance - sign(y) * (ray.half_core * d_core)) - ray.b2 * of_distance) * 0.5 / ray.k;
+    moments.z = (ew_over_ways(outside * distance - side * (ray.half_core * d_core)) - ray.b2 * of_distance) * 0.5 / ray.k;
     moments.w = (ew_over_ways(square * distance) - 2.0 * ray.b2 * moments.y) * (1.0 / 3.0) / ray.k;
     vec4 inner = inside * in_core;
     moments.y += ew_over_ways(inner * (0.5 * at_point - (1.0 / 3.0) * ray.tilt * inside) - 0.5 * ew_inverse_reach(glow) * y * y);
