@@ -41,6 +41,27 @@ float ew_core_tilt(const vec4 glow, const float s)
 }
 #endif
 
+// b2, k and s0 of the field in the core: 1 / r' is a reciprocal distance whose square is quadratic along the ray, too.
+vec3 ew_field_in_core(const vec4 glow, const float s0)
+{
+#ifdef EW_CORE_PIXELS
+    return vec3(ew_core_radius2(glow), max(ew_core_growth2(), 1e-30), -ew_view_depth.x / ew_view_depth.y);
+#else
+    return vec3(glow.x * glow.x, 1e-30, s0);
+#endif
+}
+
+// Whether a ray whose squared distance grows by k y^2 looks along a line, so that its core is all but what is between y and x, where
+// ew_find_core returns (x, y).
+bool ew_is_around(const float k)
+{
+#ifdef EW_CORE_PIXELS
+    return k < ew_core_growth2();
+#else
+    return false;
+#endif
+}
+
 // Where the core is as wide as the reach, nothing is left of the light: the s at which that begins.
 float ew_last_lit(const vec4 glow)
 {

@@ -14,8 +14,9 @@ const float EW_FOG_HIDDEN = 2e-9;
 // Of moments about a place that is so many half lengths away, little is left but rounding.
 const float EW_CUBIC_FAR = 24.0;
 
-// How long a panel from s on may be. In the core, which ends at `core_end`, it is no longer than half of what makes that as wide as it is.
-float ew_longest_cubic(const float s, const vec2 core, const vec4 glow)
+// How long a panel from s on may be. In the core it is no longer than half of what makes that as wide as it is. No panel holds both of the
+// parts of a core that is around the light outside of it.
+float ew_longest_cubic(const float s, const float k, const vec2 core, const vec4 glow)
 {
 #ifdef EW_FOG_HEIGHT
     float way = ew_cubic_length() / (ew_fog_extinction_at(s) + ew_body_extinction + abs(ew_fog_rise));
@@ -25,7 +26,9 @@ float ew_longest_cubic(const float s, const vec2 core, const vec4 glow)
 #endif
 #ifdef EW_CORE_PIXELS
     float widening = ew_view_depth.x / ew_view_depth.y + s + sqrt(ew_core_radius2(glow) / max(ew_core_growth2(), 1e-30));
-    way = mix(way, min(way, max(0.5 * widening, core.x - s)), core.x < core.y && s < core.y);
+    float longest_in_core = mix(0.25, 0.5, ew_tolerance() > 3e-4) * widening;
+    if (ew_is_around(k)) way = min(way, s < core.y ? min(longest_in_core, core.y - s) : s < core.x ? core.x - s : longest_in_core);
+    else way = mix(way, min(way, max(longest_in_core, core.x - s)), core.x < core.y && s < core.y);
 #endif
     return way;
 }
@@ -95,15 +98,25 @@ vec4 ew_moments_of_part(const float b2, const float k, float s0, const vec2 core
 {
     // Of empty parts, whose source may be anywhere, powers must be floats, too.
     s0 = clamp(s0, middle - 1e9, middle + 1e9);
-    vec4 ends = vec4(part.x, clamp(core, part.x, part.y), part.y);
+    vec2 inner = clamp(core, part.x, part.y);
+    vec4 ends = vec4(part.x, inner, part.y);
+#ifdef EW_CORE_PIXELS
+    // Of a core around the light outside of it, the part holds what is before or behind that light, which s0 divides.
+    if (ew_is_around(k)) {
+        ends = vec4(inner.y, vec2(clamp(s0, inner.y, inner.x)), inner.x);
+        inner = mix(vec2(inner.x, part.y), vec2(part.x, inner.y), bvec2(part.x < inner.y));
+    }
+#endif
     vec4 y = ends - s0;
     vec4 d = sqrt(max(b2 + k * y * y, 1e-30));
     vec2 inverse_sum = 1.0 / (d.yw + d.xz);
     vec2 size = ends.yw - ends.xz;
-    // The light outside of the core: as in ew_integrate_outside.
+    // The light outside of the core: as in ew_integrate_outside. The core may be beside s0, where a ray looks nearly along a line. Then
+    // d - sqrt(k) y counts, too, of which rounding would leave little: it is b2 / (d + sqrt(k) y).
     float root_k = sqrt(k);
     float inverse_k = 1.0 / k;
-    vec4 power = d + root_k * max(vec4(-y.xy, y.zw), 0.0);
+    vec4 power = d + root_k * abs(y);
+    power = mix(power, max(b2, 1e-30) / power, lessThan(vec4(-y.xy, y.zw), vec4(0.0)));
     vec2 q = size * inverse_sum;
     float both = (q.x + q.y) / (1.0 + k * q.x * q.y);
     float x2 = k * both * both;
@@ -116,27 +129,38 @@ vec4 ew_moments_of_part(const float b2, const float k, float s0, const vec2 core
     vec4 moments = vec4(light, first, (y_d.y - y_d.x + y_d.w - y_d.z - b2 * light) * 0.5 * inverse_k,
                         (y2_d.y - y2_d.x + y2_d.w - y2_d.z - 2.0 * b2 * first) * (1.0 / 3.0) * inverse_k);
     moments = ew_shift_moments(moments, middle - s0);
-    // If both sides are far away, the core between them is a place, or next to one.
+
+    // The core, in which 1 / r' is next to linear.
+    float in_core = inner.y - inner.x;
+#ifdef EW_CORE_PIXELS
+    float of_core = in_core / (sqrt(ew_core2(glow, inner.x)) + sqrt(ew_core2(glow, inner.y)));
+    float depths = 2.0 * ew_view_depth.x + (inner.x + inner.y) * ew_view_depth.y;
+    float core_tilt = (-1.0 / 3.0) * ew_frame.core_floor.x * ew_view_depth.y * depths * of_core * of_core * of_core;
+    of_core *= ew_atanh_series(ew_core_growth2() * of_core * of_core);
+#else
+    float of_core = in_core / glow.x;
+    float core_tilt = 0.0;
+#endif
+
+    // Far away the field bends but little. If both sides are far away, that of the core between them is next to theirs.
     bvec2 is_lit = greaterThan(size, vec2(0.0));
     vec2 outside = mix(ends.zy, ends.xw, is_lit);
     float width = outside.y - outside.x;
     float center = 0.5 * (outside.x + outside.y);
     float inverse = mix(inverse_sum.x, inverse_sum.y, is_lit.y);
-    float tilt = light * k * (s0 - center) * (1.0 / 3.0) * inverse * inverse * width * width;
     bool is_far = 4.0 > EW_CUBIC_FAR * EW_CUBIC_FAR * k * width * width * inverse * inverse;
-    moments = mix(moments, ew_moments_of_spread(light, tilt, width, center - middle), bvec4(is_far));
-
-    // The core, in which 1 / r' is next to linear.
-    float in_core = ends.z - ends.y;
-    center = 0.5 * (ends.y + ends.z) - middle;
-#ifdef EW_CORE_PIXELS
-    float of_core = in_core / (sqrt(ew_core2(glow, ends.y)) + sqrt(ew_core2(glow, ends.z)));
-    float depths = 2.0 * ew_view_depth.x + (ends.y + ends.z) * ew_view_depth.y;
-    tilt = (-1.0 / 3.0) * ew_frame.core_floor.x * ew_view_depth.y * depths * of_core * of_core * of_core;
-    moments += ew_moments_of_spread(of_core * ew_atanh_series(ew_core_growth2() * of_core * of_core), tilt, in_core, center);
-#else
-    moments += ew_moments_of_spread(in_core / glow.x, 0.0, in_core, center);
-#endif
+    bool is_one = is_far && is_lit.x && is_lit.y && ends.y < ends.z;
+    light += mix(0.0, of_core, is_one);
+    float closeness = k * inverse * inverse * width * width;
+    float away = center - s0;
+    float tilt = light * closeness * away * (-1.0 / 3.0);
+    // The second derivative of 1 / d is k (2 k y^2 - b2) / d^4 times itself, and what it adds to the second moment its 360th part, times
+    // the light and the fourth power of the width.
+    float bend = light * closeness * closeness * (16.0 / 360.0) * (2.0 * away * away - b2 * inverse_k);
+    center -= middle;
+    vec4 far_moments = ew_moments_of_spread(light, tilt, width, center) + vec4(0.0, 0.0, bend, 3.0 * center * bend);
+    moments = mix(moments, far_moments, bvec4(is_far));
+    moments += ew_moments_of_spread(mix(of_core, 0.0, is_one), mix(core_tilt, 0.0, is_one), in_core, 0.5 * (inner.x + inner.y) - middle);
     float whole = part.y - part.x;
     return moments - ew_moments_of_spread(ew_inverse_reach(glow) * whole, 0.0, whole, 0.5 * (part.x + part.y) - middle);
 }
@@ -165,7 +189,7 @@ float ew_integrate_within_reach(const float b2, const float k, const float s0, c
     float from = part.x;
     int panel = 0;
     do {
-        float to = min(from + ew_longest_cubic(from, core, glow), part.y);
+        float to = min(from + ew_longest_cubic(from, k, core, glow), part.y);
         vec2 light = ew_integrate_panel(b2, k, s0, core, vec2(from, to), glow);
         sum += light.x;
         first = mix(first, light.y, panel == 0);

@@ -221,29 +221,19 @@ float ew_integrate_quintic(const float b2, const float k, const float s0, const 
     return mix(0.0, light * ew_transmittance_of(vec4(fog.x)).x, ends.y > ends.x);
 }
 
-// b2, k and s0 of the field in the core, 1 / r'.
-vec3 ew_field_in_core(const vec4 glow, const float s0)
-{
-#ifdef EW_CORE_PIXELS
-    return vec3(ew_core_radius2(glow), max(ew_core_growth2(), 1e-30), -ew_view_depth.x / ew_view_depth.y);
-#else
-    return vec3(glow.x * glow.x, 1e-30, s0);
-#endif
-}
-
-// The same over a part, with the core, in which 1 / r' takes the place of the reciprocal distance: it is of the same form. Panels end at the
-// core's edges.
+// The same over a part, with the core, in which 1 / r' takes the place of the reciprocal distance. Panels end at the core's edges.
 float ew_integrate_in_fog(const float b2, const float k, const float s0, const vec2 part, vec2 core, const vec4 weight, const vec4 glow)
 {
-    core = mix(part.yy, clamp(core, part.x, part.y), bvec2(core.x < core.y));
+    bool is_around = ew_is_around(k);
+    core = mix(part.yy, clamp(mix(core, core.yx, bvec2(is_around)), part.x, part.y), bvec2(core.x != core.y));
     vec3 in_core = ew_field_in_core(glow, s0);
     float sum = 0.0;
     float from = part.x;
     int panel = 0;
     do {
-        bool is_in_core = from >= core.x && from < core.y;
-        float stop = mix(mix(part.y, core.y, is_in_core), core.x, from < core.x);
-        vec3 field = mix(vec3(b2, k, s0), in_core, bvec3(is_in_core));
+        bool is_between = from >= core.x && from < core.y;
+        float stop = mix(mix(part.y, core.y, is_between), core.x, from < core.x);
+        vec3 field = mix(vec3(b2, k, s0), in_core, bvec3(is_between != is_around));
         float to = min(from + ew_longest_quintic(from, weight), stop);
         sum += ew_integrate_quintic(field.x, field.y, field.z, vec2(from, to), weight, ew_inverse_reach(glow));
         from = to;

@@ -89,8 +89,8 @@ float ew_integrate_reciprocal(const float b2, const float k, const float s0, con
 // sum = |m| + sqrt(m^2 + (k - g) e) they are e / sum and sum / (k - g) with opposite signs, in which nothing cancels: the one that
 // m points at is sum / (k - g). An empty core is [0, 0].
 //
-// Only a ray that looks along a line has k < g: from the further root on it stays in the core. Before the nearer root it is in the
-// core, too, which only an eye in the core can see; its ray then has only that part.
+// Only a ray that looks along a line has k < g. Its core is around the light outside of it: before the nearer root, y, and beyond the
+// further one, x. If such a ray is in the core all the way, both are far behind it.
 vec2 ew_find_core(const float b2, const float k, const float s0, const vec4 glow)
 {
     float growth2 = ew_core_growth2();
@@ -101,12 +101,10 @@ vec2 ew_find_core(const float b2, const float k, const float s0, const vec4 glow
     float sum = abs(middle) + sqrt(max(root2, 0.0));
     float inner = clamp(excess / max(sum, 1e-30), -1e15, 1e15);
     float outer = min(sum / max(abs(a), 1e-30), 1e15);
-    bool eye_is_in_it = -ew_view_depth.x < (s0 + inner) * ew_view_depth.y;
-    bool is_bounded = a > 0.0;
-    vec2 without_roots = mix(vec2(-1e15, 1e15), vec2(0.0), bvec2(is_bounded));
-    vec2 behind = vec2(-inner, mix(1e15, outer, is_bounded));
-    vec2 before = mix(mix(vec2(outer, 1e15), vec2(-1e15, inner), bvec2(eye_is_in_it)), vec2(-outer, inner), bvec2(is_bounded));
-    return mix(mix(before, behind, bvec2(middle >= 0.0)), without_roots, bvec2(root2 < 0.0));
+    bool is_around = ew_is_around(k);
+    outer = mix(outer, -outer, is_around);
+    vec2 core = mix(vec2(-outer, inner), vec2(-inner, outer), bvec2(middle >= 0.0));
+    return mix(core, vec2(mix(0.0, 1e15, is_around)), bvec2(root2 < 0.0));
 }
 #endif
 
@@ -131,15 +129,29 @@ float ew_atanh_series(const float x2)
 }
 
 #ifdef EW_CORE_PIXELS
-// The integral of 1 / r' over a part of a core, between whose ends r' grows from radius.x to radius.y or falls: a closed form
-// of its own, that of a reciprocal distance from the eye.
-float ew_integrate_core(const vec2 radius, const float size)
+// The integral of 1 / r' over parts of a core, of each of which q is the size over the sum of r' at its ends: a closed form of its own, that
+// of a reciprocal distance from the eye.
+float ew_integrate_core(const float q)
 {
-    float q = size / (radius.x + radius.y);
     float x2 = ew_core_growth2() * q * q;
     float x = sqrt(x2);
     float logarithm = 0.69314718 * log2((1.0 + x) / max(1.0 - x, 1e-6)) / max(x, 1e-3);
     return q * mix(logarithm, ew_atanh_series(x2), x2 < 0.1);
+}
+
+// That over a part between whose ends r' grows from radius.x to radius.y or falls.
+float ew_integrate_core(const vec2 radius, const float size)
+{
+    return ew_integrate_core(size / (radius.x + radius.y));
+}
+
+// That over two parts, by s: of their forms the sum is one, with (q + q') / (1 + g q q').
+float ew_integrate_cores(const vec4 parts, const vec4 glow)
+{
+    vec4 radius = sqrt(vec4(ew_core2(glow, parts.x), ew_core2(glow, parts.y), ew_core2(glow, parts.z), ew_core2(glow, parts.w)));
+    vec2 size = parts.yw - parts.xz;
+    vec2 sum = radius.xz + radius.yw;
+    return ew_integrate_core((size.x * sum.y + size.y * sum.x) / (sum.x * sum.y + ew_core_growth2() * size.x * size.y));
 }
 #endif
 
@@ -157,12 +169,14 @@ float ew_integrate_outside(const float b2, const float k, const vec2 y, const ve
     vec2 before = min(y, core.xx);
     vec2 d_after = sqrt(b2 + k * after * after);
     vec2 d_before = sqrt(b2 + k * before * before);
-    float q_after = (after.y - after.x) / max(d_after.x + d_after.y, 1e-30);
-    float q_before = (before.y - before.x) / max(d_before.x + d_before.y, 1e-30);
-    float q = (q_after + q_before) / (1.0 + k * q_after * q_before);
-    vec2 power = (d_after + root_k * after) / max(d_before - root_k * before, 1e-30);
+    vec2 length = vec2(after.y - after.x, before.y - before.x);
+    vec2 sum = max(vec2(d_after.x + d_after.y, d_before.x + d_before.y), 1e-18);
+    float q = (length.x * sum.y + length.y * sum.x) / (sum.x * sum.y + k * length.x * length.y);
+    vec2 at_after = max(d_after + root_k * after, 1e-18);
+    vec2 at_before = max(d_before - root_k * before, 1e-18);
+    float power = (at_after.y * at_before.x) / (at_after.x * at_before.y);
     float x2 = k * q * q;
-    return mix(0.69314718 * log2(power.y / power.x) / root_k, q * ew_atanh_series(x2), x2 < 0.1);
+    return mix(0.69314718 * log2(power) / root_k, q * ew_atanh_series(x2), x2 < 0.1);
 }
 
 // The integral over s in [from, to] of 1 / r'. Relative error 1e-6.
@@ -182,9 +196,18 @@ float ew_integrate_floored_reciprocal(const float b2, const float k, const float
 {
     vec2 y = vec2(from, to) - s0;
     vec2 core = ew_core_of(b2, k, s0, glow);
+#ifdef EW_CORE_PIXELS
+    bvec2 is_around = bvec2(ew_is_around(k));
+    vec2 edges = clamp(core, y.xx, y.yy);
+    vec4 parts = vec4(mix(edges.xy, vec2(y.x, edges.y), is_around), mix(edges.yy, vec2(edges.x, y.y), is_around));
+    y = mix(y, max(min(y, core.xx), core.yy), is_around);
+    core = mix(core, vec2(0.0), is_around);
+    return ew_integrate_outside(b2, k, y, core) + ew_integrate_cores(s0 + parts, glow);
+#else
     float sides = ew_integrate_outside(b2, k, y, core);
     vec2 inside = clamp(core, y.xx, y.yy);
     return sides + ew_integrate_core(s0 + inside.x, s0 + inside.y, glow);
+#endif
 }
 #else
 // The integral over s in [from, to] of 1 / (r' (s + beta)^2). Relative error 1e-6.
@@ -202,12 +225,21 @@ float ew_integrate_core(const float from, const float to, const vec4 glow)
 float ew_integrate_floored_reciprocal(const float b2, const float k, const float s0, const float from, const float to,
                                       const vec4 glow)
 {
-    vec2 core = clamp(s0 + ew_find_core(b2, k, s0, glow), from, to);
+    vec2 core = s0 + ew_find_core(b2, k, s0, glow);
+    bool is_around = ew_is_around(k);
+    core = clamp(mix(core, core.yx, bvec2(is_around)), from, to);
     if (core.x == core.y) core = vec2(to);
+    // The field before and behind the core, and in it.
+    vec3 outer = vec3(b2, k, s0);
+    vec3 inner = ew_field_in_core(glow, s0);
+    if (is_around) {
+        outer = inner;
+        inner = vec3(b2, k, s0);
+    }
     float sum = 0.0;
-    if (EW_IS_NEEDED(core.x < core.y)) sum += ew_integrate_core(core.x, core.y, glow);
-    if (EW_IS_NEEDED(from < core.x)) sum += ew_integrate_reciprocal(b2, k, s0, from, core.x);
-    if (EW_IS_NEEDED(core.y < to)) sum += ew_integrate_reciprocal(b2, k, s0, core.y, to);
+    if (EW_IS_NEEDED(core.x < core.y)) sum += ew_integrate_reciprocal(inner.x, inner.y, inner.z, core.x, core.y);
+    if (EW_IS_NEEDED(from < core.x)) sum += ew_integrate_reciprocal(outer.x, outer.y, outer.z, from, core.x);
+    if (EW_IS_NEEDED(core.y < to)) sum += ew_integrate_reciprocal(outer.x, outer.y, outer.z, core.y, to);
     return sum;
 }
 #else

@@ -74,7 +74,7 @@ float ew_integrate_beam_parts(const ew_beam beam, const vec2 chord, const vec3 w
         vec4 of_part = mix(vec4(beam.b2.z, beam.k.z, beam.s0.z, to.z), vec4(beam.b2.y, beam.k.y, beam.s0.y, to.y), bvec4(is_part.y));
         of_part = mix(of_part, vec4(beam.b2.x, beam.k.x, beam.s0.x, to.x), bvec4(is_part.x));
         vec2 core = ew_core_on_ray(of_part.x, of_part.y, of_part.z, glow);
-        float end = min(start + ew_longest_cubic(start, core, glow), of_part.w);
+        float end = min(start + ew_longest_cubic(start, of_part.y, core, glow), of_part.w);
         vec2 light = ew_integrate_panel(of_part.x, of_part.y, of_part.z, core, vec2(start, end), glow);
         sum += mix(mix(weights.z, weights.y, is_part.y), weights.x, is_part.x) * light.x;
         first = mix(first, light.y, panel == 0);
@@ -161,6 +161,8 @@ float ew_integrate_beam_parts(const ew_beam beam, const vec2 chord, const vec3 w
     vec2 first = ew_find_core(beam.b2.x, beam.k.x, beam.s0.x, glow);
     vec2 line = ew_find_core(beam.b2.y, beam.k.y, beam.s0.y, glow);
     vec2 last = ew_find_core(beam.b2.z, beam.k.z, beam.s0.z, glow);
+    // Where the line's core is around the light outside of it, only one of its parts counts: the first, if the beam has it.
+    if (ew_is_around(beam.k.y)) line = beam.s0.y + line.y > from.y ? vec2(-1e15, line.y) : vec2(line.x, 1e15);
     vec3 core_from = clamp(beam.s0 + vec3(first.x, line.x, last.x), from, to);
     vec3 core_to = clamp(beam.s0 + vec3(first.y, line.y, last.y), from, to);
 #else

@@ -46,7 +46,7 @@ float ew_integrate_piece_in_fog(const ew_segment segment, const ew_slab slab, co
     float first = 0.0;
     int panel = 0;
     while (from < stop && panel < EW_MAX_FOG_PANELS) {
-        float to = min(from + ew_longest_cubic(from, core, path.glow), stop);
+        float to = min(from + ew_longest_cubic(from, k, core, path.glow), stop);
         float middle = 0.5 * (from + to);
         vec4 moments = ew_moments_of_part(b2, k, s0, core, clamp(part, from, to), middle, path.glow);
         vec4 ways = clamp(clamp(ends, from, to) - ray.s0, -ray.half_chord, ray.half_chord);

@@ -5,19 +5,26 @@
 const vec4 EW_PATH_NODES = vec4(0.06943184, 0.33000948, 0.66999052, 0.93056816);
 const vec4 EW_PATH_NODE_WEIGHTS = vec4(0.17392742, 0.32607258, 0.32607258, 0.17392742);
 
+#if defined(EW_FOG) || defined(EW_WORLD)
+// The weight on a part of the piece on which it is one polynomial of the place t along it: x + y (s - w) + z (s - w)^2 with w in the middle.
+vec4 ew_weight_on_part(const ew_slab slab, const vec2 part, const vec3 weight_by_t)
+{
+    float middle = 0.5 * (part.x + part.y);
+    float scale = (slab.t.y - slab.t.x) / max(slab.size, 1e-30);
+    float base = slab.t.x + scale * (slab.along + middle * slab.growth);
+    float slope = scale * slab.growth;
+    return vec4(weight_by_t.x + base * (weight_by_t.y + base * weight_by_t.z), slope * (weight_by_t.y + 2.0 * base * weight_by_t.z),
+                slope * slope * weight_by_t.z, middle);
+}
+#endif
+
 #ifdef EW_FOG
 // The same as ew_integrate_slab for a part of the piece on which the weight is one polynomial of the place along it.
 float ew_integrate_weighted_part(const ew_segment segment, const ew_slab slab, vec2 part, const vec3 weight_by_t, const vec4 glow)
 {
     float b2, k, s0;
     ew_find_line(segment, slab, glow, part, b2, k, s0);
-    // The weight by the way from the middle of the part.
-    float middle = 0.5 * (part.x + part.y);
-    float scale = (slab.t.y - slab.t.x) / max(slab.size, 1e-30);
-    float base = slab.t.x + scale * (slab.along + middle * slab.growth);
-    float slope = scale * slab.growth;
-    vec4 weight = vec4(weight_by_t.x + base * (weight_by_t.y + base * weight_by_t.z),
-                       slope * (weight_by_t.y + 2.0 * base * weight_by_t.z), slope * slope * weight_by_t.z, middle);
+    vec4 weight = ew_weight_on_part(slab, part, weight_by_t);
     ew_evaluation_count += 1;
     return part.x < part.y ? ew_integrate_in_fog(b2, k, s0, part, s0 + ew_core_of(b2, k, s0, glow), weight, glow) : 0.0;
 }
@@ -63,19 +70,23 @@ float ew_integrate_weighted_part(const ew_segment segment, const ew_slab slab, v
     return sum;
 }
 #else
-// The integral over [from, to], outside of the core, of (polynomial in y = s - s0) (1 / sqrt(b2 + k y^2) - 1 / reach): closed
-// forms. Where the part is short, compared with the distance, they would be small differences, and all is smooth.
-float ew_integrate_weighted_side(const float b2, const float k, const float s0, const float from, const float to,
-                                 const vec3 polynomial, const vec4 glow)
+// The integral over [from, to] of weight (1 / sqrt(b2 + k y^2) - 1 / reach) with y = s - s0: closed forms. Where the part is short, compared
+// with the distance, they would be small differences, and all is smooth. The weight is weight.x + weight.y x + weight.z x^2 with
+// x = s - weight.w. So it has its digits where s0 is far away, too, as on a ray along the piece.
+float ew_integrate_weighted_field(const float b2, const float k, const float s0, const float from, const float to, const vec4 weight,
+                                  const vec4 glow)
 {
     float y_from = from - s0;
     float y_to = to - s0;
     float d_from = sqrt(b2 + k * y_from * y_from);
     float d_to = sqrt(b2 + k * y_to * y_to);
     float least2 = mix(b2, ew_square(min(d_from, d_to)), y_from * y_to > 0.0);
-    vec4 y = y_from + (to - from) * EW_PATH_NODES;
-    vec4 weight = polynomial.x + y * (polynomial.y + y * polynomial.z);
-    float of_nodes = (to - from) * dot(EW_PATH_NODE_WEIGHTS, weight * (inversesqrt(b2 + k * y * y) - ew_inverse_reach(glow)));
+    vec4 s = from + (to - from) * EW_PATH_NODES;
+    vec4 x = s - weight.w;
+    vec4 at_nodes = weight.x + x * (weight.y + x * weight.z);
+    float of_nodes = (to - from) * dot(EW_PATH_NODE_WEIGHTS, at_nodes * (inversesqrt(b2 + k * (s - s0) * (s - s0)) - ew_inverse_reach(glow)));
+    float shift = s0 - weight.w;
+    vec3 polynomial = vec3(weight.x + shift * (weight.y + shift * weight.z), weight.y + 2.0 * shift * weight.z, weight.z);
     float moment0 = ew_integrate_reciprocal(b2, k, s0, from, to);
     float moment1 = (to - from) * (y_from + y_to) / max(d_from + d_to, 1e-30);
     float moment2 = 0.5 * (y_to * d_to - y_from * d_from - b2 * moment0) / k;
@@ -90,23 +101,17 @@ float ew_integrate_weighted_part(const ew_segment segment, const ew_slab slab, v
 {
     float b2, k, s0;
     ew_find_line(segment, slab, glow, part, b2, k, s0);
-    float scale = (slab.t.y - slab.t.x) / max(slab.size, 1e-30);
-    // The weight by y = s - s0: f = base + slope y is the place in the weight's piece.
-    float base = slab.t.x + scale * (slab.along + s0 * slab.growth);
-    float slope = scale * slab.growth;
-    vec3 polynomial = vec3(weight_by_t.x + base * (weight_by_t.y + base * weight_by_t.z),
-                           slope * (weight_by_t.y + 2.0 * base * weight_by_t.z), slope * slope * weight_by_t.z);
-    // The core, in which the weight over its radius is smooth.
-    vec2 core = clamp(s0 + ew_core_of(b2, k, s0, glow), part.x, part.y);
-    vec4 s = core.x + (core.y - core.x) * EW_PATH_NODES;
-    vec4 y = s - s0;
-    vec4 weight = polynomial.x + y * (polynomial.y + y * polynomial.z);
-    vec4 radius2 = vec4(ew_core2(glow, s.x), ew_core2(glow, s.y), ew_core2(glow, s.z), ew_core2(glow, s.w));
-    float sum = (core.y - core.x) * dot(EW_PATH_NODE_WEIGHTS, weight * (inversesqrt(radius2) - ew_inverse_reach(glow)));
-    // A loop, because compilers put the integral into the shader for every place that calls it.
-    for (int i = 0; i < 2; ++i) {
-        vec2 side = mix(vec2(part.x, core.x), vec2(core.y, part.y), bvec2(i == 1));
-        if (side.x < side.y) sum += ew_integrate_weighted_side(b2, k, s0, side.x, side.y, polynomial, glow);
+    vec4 weight = ew_weight_on_part(slab, part, weight_by_t);
+    vec2 core = s0 + ew_core_of(b2, k, s0, glow);
+    bool is_around = ew_is_around(k);
+    core = clamp(mix(core, core.yx, bvec2(is_around)), part.x, part.y);
+    vec3 in_core = ew_field_in_core(glow, s0);
+    float sum = 0.0;
+    // The core, and what is before and behind it, or the other way round. A loop, because compilers put the integral into the shader for every place that calls it.
+    for (int i = 0; i < 3; ++i) {
+        vec2 ends = mix(mix(vec2(part.x, core.x), core, bvec2(i == 1)), vec2(core.y, part.y), bvec2(i == 2));
+        vec3 field = mix(vec3(b2, k, s0), in_core, bvec3((i == 1) != is_around));
+        if (ends.x < ends.y) sum += ew_integrate_weighted_field(field.x, field.y, field.z, ends.x, ends.y, weight, glow);
     }
     ew_evaluation_count += 1;
     return sum;
