@@ -176,7 +176,8 @@ vec2 ew_integrate_panel(const float b2, const float k, const float s0, const vec
 // What ew_integrate_within_reach is, by quintics.
 float ew_integrate_by_rule(const float b2, const float k, const float s0, const vec2 part, const vec4 glow)
 {
-    return ew_integrate_in_fog(b2, k, s0, part, s0 + ew_core_of(b2, k, s0, glow), vec4(1.0, 0.0, 0.0, 0.0), glow);
+    vec2 core = s0 + ew_core_of(b2, k, s0, glow);
+    return ew_integrate_in_fog(b2, k, s0, part, core, ew_is_around(k), vec4(1.0, 0.0, 0.0, 0.0), glow);
 }
 
 // What ew_integrate_floored_reciprocal is, less 1 / R, in fog.

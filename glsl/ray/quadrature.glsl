@@ -108,7 +108,6 @@ vec2 ew_find_core(const float b2, const float k, const float s0, const vec4 glow
 }
 #endif
 
-#if defined(EW_FOG) || defined(EW_WORLD)
 // The same, whether cores are as wide as pixels or not.
 vec2 ew_core_of(const float b2, const float k, const float s0, const vec4 glow)
 {
@@ -119,7 +118,6 @@ vec2 ew_core_of(const float b2, const float k, const float s0, const vec4 glow)
     return vec2(-half_core, half_core);
 #endif
 }
-#endif
 
 #ifdef EW_WORLD
 // 2 atanh(x) / x of x2 = x^2 < 0.1. Relative error 1e-7.

@@ -147,7 +147,8 @@ float ew_integrate_stretch(const ew_arc arc, const ew_approaches approaches, con
     passage.core = ew_clip(arc, portion, true).ends;
     passage.b2 = ew_least_b2(arc, passage, part);
 #ifdef EW_FOG
-    float reciprocal = ew_integrate_in_fog(passage.b2, passage.k, passage.s0, part, passage.core, vec4(1.0, 0.0, 0.0, 0.0), arc.glow);
+    float reciprocal = ew_integrate_in_fog(passage.b2, passage.k, passage.s0, part, passage.core, false, vec4(1.0, 0.0, 0.0, 0.0),
+                                           arc.glow);
 #else
     float reciprocal = ew_integrate_core(passage.core.x, passage.core.y, arc.glow);
     reciprocal -= ew_inverse_reach(arc.glow) * ew_measure(part.x, part.y);
