@@ -179,6 +179,17 @@ float ew_integrate_beam_parts(const ew_beam beam, const vec2 chord, const vec3 w
     vec2 s0 = mix(beam.s0.yy, beam.s0.xz, is_end);
     vec2 k = mix(beam.k.yy, beam.k.xz, is_end);
     vec4 weight = vec4(weights.x, mix(weights.yy, weights.xz, is_end), weights.z);
+#ifdef EW_CORE_PIXELS
+    // Of a ray that looks along the beam, the line's core may begin behind all of these. Then both sides count that are before it.
+    if (min(to.x - core_to.x, core_from.y - from.y) > max(to.y - core_to.y, core_from.z - from.z)) {
+        side_from.yz = vec2(from.y, core_to.x);
+        side_to.yz = vec2(core_from.y, to.x);
+        b2.yz = beam.b2.yx;
+        s0 = beam.s0.yx;
+        k = beam.k.yx;
+        weight.yz = weights.yx;
+    }
+#endif
     ew_evaluation_count += 3;
     float sum = weight.x * ew_integrate_reciprocal(b2.x, beam.k.x, beam.s0.x, side_from.x, side_to.x);
     sum += weight.y * ew_integrate_reciprocal(b2.y, k.x, s0.x, side_from.y, side_to.y);

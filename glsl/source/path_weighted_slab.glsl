@@ -102,7 +102,8 @@ float ew_integrate_weighted_part(const ew_segment segment, const ew_slab slab, v
     core = clamp(mix(core, core.yx, bvec2(is_around)), part.x, part.y);
     vec3 in_core = ew_field_in_core(glow, s0);
     float sum = 0.0;
-    // The core, and what is before and behind it, or the other way round. A loop, because compilers put the integral into the shader for every place that calls it.
+    // The core, and what is before and behind it, or the other way round. A loop, because compilers put the integral into the shader for
+    // every place that calls it.
     for (int i = 0; i < 3; ++i) {
         vec2 ends = mix(mix(vec2(part.x, core.x), core, bvec2(i == 1)), vec2(core.y, part.y), bvec2(i == 2));
         vec3 field = mix(vec3(b2, k, s0), in_core, bvec3((i == 1) != is_around));
