@@ -88,12 +88,26 @@ vec2 ew_core_on_ray(const float b2, const float k, const float s0, const vec4 gl
     return s0 + ew_core_of(b2, k, s0, glow);
 }
 
+// The light of a part of the core, in which 1 / r' is next to linear, and its tilt.
+vec2 ew_light_of_core(const vec2 part, const vec4 glow)
+{
+    float size = part.y - part.x;
+#ifdef EW_CORE_PIXELS
+    float light = size / (sqrt(ew_core2(glow, part.x)) + sqrt(ew_core2(glow, part.y)));
+    float depths = 2.0 * ew_view_depth.x + (part.x + part.y) * ew_view_depth.y;
+    float tilt = (-1.0 / 3.0) * ew_frame.core_floor.x * ew_view_depth.y * depths * light * light * light;
+    return vec2(light * ew_atanh_series(ew_core_growth2() * light * light), tilt);
+#else
+    return vec2(size / glow.x, 0.0);
+#endif
+}
+
 // The moments about `middle` of 1 / max(r', sqrt(b2 + k (s - s0)^2)) - 1 / R over a part of the ray: with d the root and y = s - s0,
 //
 //     y / d  has the antiderivative  d / k,
 //     y^2 / d  (y d - b2 (that of 1 / d)) / 2 k,  and  y^3 / d  (y^2 d - 2 b2 (that of y / d)) / 3 k.
 //
-// Far away these would be small differences. But there the field is next to linear, as it is in the core.
+// Far away these would be small differences. But there the field is next to a parabola.
 vec4 ew_moments_of_part(const float b2, const float k, float s0, const vec2 core, const vec2 part, const float middle, const vec4 glow)
 {
     // Of empty parts, whose source may be anywhere, powers must be floats, too.
@@ -130,18 +144,6 @@ vec4 ew_moments_of_part(const float b2, const float k, float s0, const vec2 core
                         (y2_d.y - y2_d.x + y2_d.w - y2_d.z - 2.0 * b2 * first) * (1.0 / 3.0) * inverse_k);
     moments = ew_shift_moments(moments, middle - s0);
 
-    // The core, in which 1 / r' is next to linear.
-    float in_core = inner.y - inner.x;
-#ifdef EW_CORE_PIXELS
-    float of_core = in_core / (sqrt(ew_core2(glow, inner.x)) + sqrt(ew_core2(glow, inner.y)));
-    float depths = 2.0 * ew_view_depth.x + (inner.x + inner.y) * ew_view_depth.y;
-    float core_tilt = (-1.0 / 3.0) * ew_frame.core_floor.x * ew_view_depth.y * depths * of_core * of_core * of_core;
-    of_core *= ew_atanh_series(ew_core_growth2() * of_core * of_core);
-#else
-    float of_core = in_core / glow.x;
-    float core_tilt = 0.0;
-#endif
-
     // Far away the field bends but little. If both sides are far away, that of the core between them is next to theirs.
     bvec2 is_lit = greaterThan(size, vec2(0.0));
     vec2 outside = mix(ends.zy, ends.xw, is_lit);
@@ -149,8 +151,9 @@ vec4 ew_moments_of_part(const float b2, const float k, float s0, const vec2 core
     float center = 0.5 * (outside.x + outside.y);
     float inverse = mix(inverse_sum.x, inverse_sum.y, is_lit.y);
     bool is_far = 4.0 > EW_CUBIC_FAR * EW_CUBIC_FAR * k * width * width * inverse * inverse;
+    vec2 of_core = ew_light_of_core(inner, glow);
     bool is_one = is_far && is_lit.x && is_lit.y && ends.y < ends.z;
-    light += mix(0.0, of_core, is_one);
+    light += mix(0.0, of_core.x, is_one);
     float closeness = k * inverse * inverse * width * width;
     float away = center - s0;
     float tilt = light * closeness * away * (-1.0 / 3.0);
@@ -160,10 +163,12 @@ vec4 ew_moments_of_part(const float b2, const float k, float s0, const vec2 core
     center -= middle;
     vec4 far_moments = ew_moments_of_spread(light, tilt, width, center) + vec4(0.0, 0.0, bend, 3.0 * center * bend);
     moments = mix(moments, far_moments, bvec4(is_far));
-    moments += ew_moments_of_spread(mix(of_core, 0.0, is_one), mix(core_tilt, 0.0, is_one), in_core, 0.5 * (inner.x + inner.y) - middle);
+    of_core = mix(of_core, vec2(0.0), bvec2(is_one));
+    moments += ew_moments_of_spread(of_core.x, of_core.y, inner.y - inner.x, 0.5 * (inner.x + inner.y) - middle);
     float whole = part.y - part.x;
     return moments - ew_moments_of_spread(ew_inverse_reach(glow) * whole, 0.0, whole, 0.5 * (part.x + part.y) - middle);
 }
+
 // The light of a panel, and the transmittance in its middle.
 vec2 ew_integrate_panel(const float b2, const float k, const float s0, const vec2 core, const vec2 panel, const vec4 glow)
 {
