@@ -51,8 +51,8 @@ vec3 ew_field_in_core(const vec4 glow, const float s0)
 #endif
 }
 
-// Whether a ray whose squared distance grows by k y^2 looks along a line, so that its core is all but what is between y and x, where
-// ew_find_core returns (x, y).
+// Whether a ray whose squared distance grows by k y^2 looks along a line, so that between the edges of its core is the light outside. See
+// ew_find_core.
 bool ew_is_around(const float k)
 {
 #ifdef EW_CORE_PIXELS

@@ -27,7 +27,7 @@ float ew_longest_cubic(const float s, const float k, const vec2 core, const vec4
 #ifdef EW_CORE_PIXELS
     float widening = ew_view_depth.x / ew_view_depth.y + s + sqrt(ew_core_radius2(glow) / max(ew_core_growth2(), 1e-30));
     float longest_in_core = mix(0.25, 0.5, ew_tolerance() > 3e-4) * widening;
-    if (ew_is_around(k)) way = min(way, s < core.y ? min(longest_in_core, core.y - s) : s < core.x ? core.x - s : longest_in_core);
+    if (ew_is_around(k)) way = min(way, s < core.x ? min(longest_in_core, core.x - s) : s < core.y ? core.y - s : longest_in_core);
     else way = mix(way, min(way, max(longest_in_core, core.x - s)), core.x < core.y && s < core.y);
 #endif
     return way;
@@ -117,8 +117,8 @@ vec4 ew_moments_of_part(const float b2, const float k, float s0, const vec2 core
 #ifdef EW_CORE_PIXELS
     // Of a core around the light outside of it, the part holds what is before or behind that light, which s0 divides.
     if (ew_is_around(k)) {
-        ends = vec4(inner.y, vec2(clamp(s0, inner.y, inner.x)), inner.x);
-        inner = mix(vec2(inner.x, part.y), vec2(part.x, inner.y), bvec2(part.x < inner.y));
+        ends = vec4(inner.x, vec2(clamp(s0, inner.x, inner.y)), inner.y);
+        inner = mix(vec2(inner.y, part.y), vec2(part.x, inner.x), bvec2(part.x < inner.x));
     }
 #endif
     vec4 y = ends - s0;

@@ -221,12 +221,12 @@ float ew_integrate_quintic(const float b2, const float k, const float s0, const 
     return mix(0.0, light * ew_transmittance_of(vec4(fog.x)).x, ends.y > ends.x);
 }
 
-// The same over a part, with the core, in which 1 / r' takes the place of the reciprocal distance. Panels end at the core's edges. The core is
-// between core.x and core.y or, if it `is_around` the light outside, all but what is between core.y and core.x.
+// The same over a part, with the core, in which 1 / r' takes the place of the reciprocal distance. Panels end at the core's edges. Between core.x
+// and core.y is the core or, if that `is_around` it, the light outside.
 float ew_integrate_in_fog(const float b2, const float k, const float s0, const vec2 part, vec2 core, const bool is_around, const vec4 weight,
                           const vec4 glow)
 {
-    core = mix(part.yy, clamp(mix(core, core.yx, bvec2(is_around)), part.x, part.y), bvec2(core.x != core.y));
+    core = mix(part.yy, clamp(core, part.x, part.y), bvec2(core.x < core.y));
     vec3 in_core = ew_field_in_core(glow, s0);
     float sum = 0.0;
     float from = part.x;

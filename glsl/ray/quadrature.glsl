@@ -89,8 +89,8 @@ float ew_integrate_reciprocal(const float b2, const float k, const float s0, con
 // sum = |m| + sqrt(m^2 + (k - g) e) they are e / sum and sum / (k - g) with opposite signs, in which nothing cancels: the one that
 // m points at is sum / (k - g). An empty core is [0, 0].
 //
-// Only a ray that looks along a line has k < g. Its core is around the light outside of it: before the nearer root, y, and beyond the
-// further one, x. If such a ray is in the core all the way, both are far behind it.
+// Only a ray that looks along a line has k < g. Its core is around the light outside of it: before the nearer root and beyond the further
+// one. If such a ray is in the core all the way, both are far behind it.
 vec2 ew_find_core(const float b2, const float k, const float s0, const vec4 glow)
 {
     float growth2 = ew_core_growth2();
@@ -102,9 +102,9 @@ vec2 ew_find_core(const float b2, const float k, const float s0, const vec4 glow
     float inner = clamp(excess / max(sum, 1e-30), -1e15, 1e15);
     float outer = min(sum / max(abs(a), 1e-30), 1e15);
     bool is_around = ew_is_around(k);
-    outer = mix(outer, -outer, is_around);
-    vec2 core = mix(vec2(-outer, inner), vec2(-inner, outer), bvec2(middle >= 0.0));
-    return mix(core, vec2(mix(0.0, 1e15, is_around)), bvec2(root2 < 0.0));
+    vec2 behind = mix(vec2(-inner, outer), vec2(-outer, -inner), bvec2(is_around));
+    vec2 before = mix(vec2(-outer, inner), vec2(inner, outer), bvec2(is_around));
+    return mix(mix(before, behind, bvec2(middle >= 0.0)), vec2(mix(0.0, 1e15, is_around)), bvec2(root2 < 0.0));
 }
 #endif
 
@@ -195,10 +195,11 @@ float ew_integrate_floored_reciprocal(const float b2, const float k, const float
     vec2 y = vec2(from, to) - s0;
     vec2 core = ew_core_of(b2, k, s0, glow);
 #ifdef EW_CORE_PIXELS
+    // Around the light outside of it, there are two parts of a core.
     bvec2 is_around = bvec2(ew_is_around(k));
     vec2 edges = clamp(core, y.xx, y.yy);
-    vec4 parts = vec4(mix(edges.xy, vec2(y.x, edges.y), is_around), mix(edges.yy, vec2(edges.x, y.y), is_around));
-    y = mix(y, max(min(y, core.xx), core.yy), is_around);
+    vec4 parts = vec4(mix(edges, vec2(y.x, edges.x), is_around), mix(edges.yy, vec2(edges.y, y.y), is_around));
+    y = mix(y, max(min(y, core.yy), core.xx), is_around);
     core = mix(core, vec2(0.0), is_around);
     return ew_integrate_outside(b2, k, y, core) + ew_integrate_cores(s0 + parts, glow);
 #else
@@ -212,7 +213,8 @@ float ew_integrate_floored_reciprocal(const float b2, const float k, const float
 float ew_integrate_core(const float from, const float to, const vec4 glow)
 {
 #ifdef EW_CORE_PIXELS
-    return ew_integrate_reciprocal(ew_core_radius2(glow), max(ew_core_growth2(), 1e-30), -ew_view_depth.x / ew_view_depth.y, from, to);
+    vec3 field = ew_field_in_core(glow, 0.0);
+    return ew_integrate_reciprocal(field.x, field.y, field.z, from, to);
 #else
     return ew_measure(from, to) / glow.x;
 #endif
@@ -223,14 +225,12 @@ float ew_integrate_core(const float from, const float to, const vec4 glow)
 float ew_integrate_floored_reciprocal(const float b2, const float k, const float s0, const float from, const float to,
                                       const vec4 glow)
 {
-    vec2 core = s0 + ew_find_core(b2, k, s0, glow);
-    bool is_around = ew_is_around(k);
-    core = clamp(mix(core, core.yx, bvec2(is_around)), from, to);
+    vec2 core = clamp(s0 + ew_find_core(b2, k, s0, glow), from, to);
     if (core.x == core.y) core = vec2(to);
-    // The field before and behind the core, and in it.
+    // The field before and behind these, and in between.
     vec3 outer = vec3(b2, k, s0);
     vec3 inner = ew_field_in_core(glow, s0);
-    if (is_around) {
+    if (ew_is_around(k)) {
         outer = inner;
         inner = vec3(b2, k, s0);
     }

@@ -38,17 +38,14 @@ float ew_integrate_weighted_part(const ew_segment segment, const ew_slab slab, v
     float b2, k, s0;
     ew_find_line(segment, slab, glow, part, b2, k, s0);
     vec4 weight = ew_weight_on_part(slab, part, weight_by_t);
-    vec2 core = s0 + ew_core_of(b2, k, s0, glow);
-    bool is_around = ew_is_around(k);
-    core = clamp(mix(core, core.yx, bvec2(is_around)), part.x, part.y);
-    vec3 in_core = ew_field_in_core(glow, s0);
+    vec2 core = clamp(s0 + ew_core_of(b2, k, s0, glow), part.x, part.y);
     float sum = 0.0;
     float from = part.x;
     int panel = 0;
     do {
         bool is_between = from >= core.x && from < core.y;
         float stop = mix(mix(part.y, core.y, is_between), core.x, from < core.x);
-        vec3 field = mix(vec3(b2, k, s0), in_core, bvec3(is_between != is_around));
+        vec3 field = mix(vec3(b2, k, s0), ew_field_in_core(glow, s0), bvec3(is_between != ew_is_around(k)));
         float away = from - field.z;
         float size = min(max(max(1.5 * away, -0.6 * away), 1.2 * sqrt(field.x / field.y)), from + ew_beta());
         float to = min(from + size, stop);
@@ -97,16 +94,13 @@ float ew_integrate_weighted_part(const ew_segment segment, const ew_slab slab, v
     float b2, k, s0;
     ew_find_line(segment, slab, glow, part, b2, k, s0);
     vec4 weight = ew_weight_on_part(slab, part, weight_by_t);
-    vec2 core = s0 + ew_core_of(b2, k, s0, glow);
-    bool is_around = ew_is_around(k);
-    core = clamp(mix(core, core.yx, bvec2(is_around)), part.x, part.y);
-    vec3 in_core = ew_field_in_core(glow, s0);
+    vec2 core = clamp(s0 + ew_core_of(b2, k, s0, glow), part.x, part.y);
     float sum = 0.0;
     // The core, and what is before and behind it, or the other way round. A loop, because compilers put the integral into the shader for
     // every place that calls it.
     for (int i = 0; i < 3; ++i) {
         vec2 ends = mix(mix(vec2(part.x, core.x), core, bvec2(i == 1)), vec2(core.y, part.y), bvec2(i == 2));
-        vec3 field = mix(vec3(b2, k, s0), in_core, bvec3((i == 1) != is_around));
+        vec3 field = mix(vec3(b2, k, s0), ew_field_in_core(glow, s0), bvec3((i == 1) != ew_is_around(k)));
         if (ends.x < ends.y) sum += ew_integrate_weighted_field(field.x, field.y, field.z, ends.x, ends.y, weight, glow);
     }
     ew_evaluation_count += 1;
