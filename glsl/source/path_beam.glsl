@@ -88,19 +88,6 @@ float ew_integrate_beam_parts(const ew_beam beam, const vec2 chord, const vec3 w
     ew_evaluation_count += 3;
     return sum;
 }
-#elif defined(EW_FOG)
-// `weights` are those of the first end, the line and the last end.
-float ew_integrate_beam_parts(const ew_beam beam, const vec2 chord, const vec3 weights, const vec4 glow)
-{
-    vec3 from, to;
-    ew_clip_beam_parts(beam, chord, glow, from, to);
-    float sum = 0.0;
-    // A loop, because compilers put the integral into the shader for every place that calls it.
-    for (int i = 0; i < 3; ++i)
-        if (from[i] < to[i]) sum += weights[i] * ew_integrate_within_reach(beam.b2[i], beam.k[i], beam.s0[i], vec2(from[i], to[i]), glow);
-    ew_evaluation_count += 3;
-    return sum;
-}
 #elif defined(EW_WORLD)
 // Both ends of a beam at once, by the form of ew_integrate_node: of each, from the edge of its cap to the end of what the ray has of
 // its reach. With y = sqrt(k) (s - s0) the squared distance is b2 + y^2.
@@ -139,37 +126,41 @@ float ew_integrate_beam_parts(const ew_beam beam, const vec2 chord, const vec3 w
     return dot(weights.xz, ends) +
            weights.y * ew_integrate_within_reach(beam.b2.y, beam.k.y, beam.s0.y, beam.planes, glow);
 }
-#else
-// The light of the core in one of a beam's parts.
-float ew_integrate_core(const vec2 core, const vec4 glow)
+#elif defined(EW_FOG)
+// `weights` are those of the first end, the line and the last end.
+float ew_integrate_beam_parts(const ew_beam beam, const vec2 chord, const vec3 weights, const vec4 glow)
 {
-#ifdef EW_CORE_PIXELS
-    return ew_integrate_reciprocal(ew_core_radius2(glow), max(ew_core_growth2(), 1e-30), -ew_view_depth.x / ew_view_depth.y, core.x,
-                                   core.y);
-#else
-    return ew_measure(core.x, core.y) / glow.x;
-#endif
+    vec3 from, to;
+    ew_clip_beam_parts(beam, chord, glow, from, to);
+    float sum = 0.0;
+    // A loop, because compilers put the integral into the shader for every place that calls it.
+    for (int i = 0; i < 3; ++i)
+        if (from[i] < to[i]) sum += weights[i] * ew_integrate_within_reach(beam.b2[i], beam.k[i], beam.s0[i], vec2(from[i], to[i]), glow);
+    ew_evaluation_count += 3;
+    return sum;
 }
-
+#elif defined(EW_CORE_PIXELS)
+// Each part by itself, since a core that grows with depth may be anywhere along it, or around its light. `weights` are those of the first end,
+// the line and the last end.
+float ew_integrate_beam_parts(const ew_beam beam, const vec2 chord, const vec3 weights, const vec4 glow)
+{
+    vec3 from, to;
+    ew_clip_beam_parts(beam, chord, glow, from, to);
+    ew_evaluation_count += 3;
+    return weights.x * ew_integrate_within_reach(beam.b2.x, beam.k.x, beam.s0.x, vec2(from.x, to.x), glow) +
+           weights.y * ew_integrate_within_reach(beam.b2.y, beam.k.y, beam.s0.y, vec2(from.y, to.y), glow) +
+           weights.z * ew_integrate_within_reach(beam.b2.z, beam.k.z, beam.s0.z, vec2(from.z, to.z), glow);
+}
+#else
 // Along the ray a beam's distance falls up to the core, or to its least, and then grows. So of the three parts' six sides of the core
 // two are always empty, but for rounding: behind the core in the first part, or before it in the second; and the same mirrored.
 float ew_integrate_beam_parts(const ew_beam beam, const vec2 chord, const vec3 weights, const vec4 glow)
 {
     vec3 from, to;
     ew_clip_beam_parts(beam, chord, glow, from, to);
-#ifdef EW_CORE_PIXELS
-    vec2 first = ew_find_core(beam.b2.x, beam.k.x, beam.s0.x, glow);
-    vec2 line = ew_find_core(beam.b2.y, beam.k.y, beam.s0.y, glow);
-    vec2 last = ew_find_core(beam.b2.z, beam.k.z, beam.s0.z, glow);
-    // Where the line's core is around the light outside of it, only one of its parts counts: the first, if the beam has it.
-    if (ew_is_around(beam.k.y)) line = beam.s0.y + line.y > from.y ? vec2(-1e15, line.y) : vec2(line.x, 1e15);
-    vec3 core_from = clamp(beam.s0 + vec3(first.x, line.x, last.x), from, to);
-    vec3 core_to = clamp(beam.s0 + vec3(first.y, line.y, last.y), from, to);
-#else
     vec3 half_core = sqrt(max(glow.x * glow.x - beam.b2, 0.0) / beam.k);
     vec3 core_from = clamp(beam.s0 - half_core, from, to);
     vec3 core_to = clamp(beam.s0 + half_core, from, to);
-#endif
     bool is_first = to.x - core_to.x > core_from.y - from.y;
     bool is_last = core_from.z - from.z > to.y - core_to.y;
     bvec2 is_end = bvec2(is_first, is_last);
@@ -179,25 +170,14 @@ float ew_integrate_beam_parts(const ew_beam beam, const vec2 chord, const vec3 w
     vec2 s0 = mix(beam.s0.yy, beam.s0.xz, is_end);
     vec2 k = mix(beam.k.yy, beam.k.xz, is_end);
     vec4 weight = vec4(weights.x, mix(weights.yy, weights.xz, is_end), weights.z);
-#ifdef EW_CORE_PIXELS
-    // Of a ray that looks along the beam, the line's core may begin behind all of these. Then both sides count that are before it.
-    if (min(to.x - core_to.x, core_from.y - from.y) > max(to.y - core_to.y, core_from.z - from.z)) {
-        side_from.yz = vec2(from.y, core_to.x);
-        side_to.yz = vec2(core_from.y, to.x);
-        b2.yz = beam.b2.yx;
-        s0 = beam.s0.yx;
-        k = beam.k.yx;
-        weight.yz = weights.yx;
-    }
-#endif
     ew_evaluation_count += 3;
     float sum = weight.x * ew_integrate_reciprocal(b2.x, beam.k.x, beam.s0.x, side_from.x, side_to.x);
     sum += weight.y * ew_integrate_reciprocal(b2.y, k.x, s0.x, side_from.y, side_to.y);
     sum += weight.z * ew_integrate_reciprocal(b2.z, k.y, s0.y, side_from.z, side_to.z);
     sum += weight.w * ew_integrate_reciprocal(b2.w, beam.k.z, beam.s0.z, side_from.w, side_to.w);
-    sum += weights.x * ew_integrate_core(vec2(core_from.x, core_to.x), glow);
-    sum += weights.y * ew_integrate_core(vec2(core_from.y, core_to.y), glow);
-    sum += weights.z * ew_integrate_core(vec2(core_from.z, core_to.z), glow);
+    sum += weights.x * ew_integrate_core(core_from.x, core_to.x, glow);
+    sum += weights.y * ew_integrate_core(core_from.y, core_to.y, glow);
+    sum += weights.z * ew_integrate_core(core_from.z, core_to.z, glow);
 #ifdef EW_REACH
     sum -= ew_inverse_reach(glow) * (weights.x * ew_measure(from.x, to.x) + weights.y * ew_measure(from.y, to.y) +
                                      weights.z * ew_measure(from.z, to.z));
